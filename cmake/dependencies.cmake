@@ -1,0 +1,22 @@
+# Every library the project uses, with the oldest version it is tested with (Debian 12).
+find_package(GDAL 3.6 CONFIG REQUIRED)
+find_package(PROJ 9.1 CONFIG REQUIRED)
+find_package(glm 0.9.9 CONFIG REQUIRED)
+find_package(OpenImageIO 2.4 CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+find_package(CLI11 2.1 CONFIG REQUIRED)
+find_package(TBB 2021.8 CONFIG REQUIRED)
+
+# Debian ships GeographicLib with a find module instead of a CMake package.
+list(APPEND CMAKE_MODULE_PATH /usr/share/cmake/geographiclib)
+find_package(GeographicLib 2.1 REQUIRED)
+if(NOT TARGET GeographicLib::GeographicLib)
+  add_library(GeographicLib::GeographicLib INTERFACE IMPORTED)
+  target_link_libraries(GeographicLib::GeographicLib INTERFACE ${GeographicLib_LIBRARIES})
+  target_include_directories(GeographicLib::GeographicLib INTERFACE ${GeographicLib_INCLUDE_DIRS})
+endif()
+
+if(TERRVIEW_TESTS)
+  find_package(GTest 1.12 REQUIRED)
+  find_package(rapidcheck CONFIG REQUIRED)
+endif()

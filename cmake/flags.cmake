@@ -1,0 +1,16 @@
+# Compiler flags shared by every target.
+add_library(terrview_flags INTERFACE)
+target_compile_options(terrview_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+  # The same bytes on every machine of one kind: no fused multiply-add, and never -ffast-math
+  # (NaN means "no data").
+  -ffp-contract=off)
+if(TERRVIEW_WERROR)
+  target_compile_options(terrview_flags INTERFACE -Werror)
+endif()
+if(TERRVIEW_SANITIZE)
+  target_compile_options(terrview_flags INTERFACE -fsanitize=${TERRVIEW_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(terrview_flags INTERFACE -fsanitize=${TERRVIEW_SANITIZE})
+endif()
+target_include_directories(terrview_flags INTERFACE ${PROJECT_SOURCE_DIR})

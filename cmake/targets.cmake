@@ -1,0 +1,18 @@
+# terrview_library(<folder> <public libraries...>): the static library of one folder's sources.
+function(terrview_library folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.h)
+  add_library(terrview_${folder} STATIC ${sources})
+  target_link_libraries(terrview_${folder} PUBLIC terrview_flags ${ARGN})
+endfunction()
+
+# terrview_test(<name> <folder of tests> <libraries...>): one test program per folder.
+function(terrview_test name folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE terrview_flags ${ARGN} rapidcheck GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE TERRVIEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,55 @@
+// The camera: from pixels to rays of the view frame, whose origin is the eye.
+//
+// Perspective: pixel (i, j), row 0 at the top, looks along
+//   F + R (i + 0.5 - W/2) k + U (H/2 - j - 0.5) k,   k = tan(fov / 2) / (W / 2)
+// with F, R, U the forward, right and up unit vectors; roll r turns them to R cos r - U sin r and
+// U cos r + R sin r. Cylindrical: azimuth = heading + (i + 0.5 - W/2) fov / W, and the vertical is
+// linear in the tangent of the elevation with focal length W / fov pixels; no pitch, no roll.
+// Orthographic: parallel rays along F, `width_m` across W pixels.
+#pragma once
+
+#include <optional>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "terrain/ray.h"
+
+namespace terrview {
+
+enum class Projection { perspective, cylindrical, orthographic };
+
+struct CameraOptions {
+  Projection projection = Projection::perspective;
+  double heading_rad = 0;  // clockwise from true north
+  double pitch_rad = 0;    // up
+  double roll_rad = 0;     // clockwise as seen from behind the camera
+  double fov_rad = 1.0471975511965976;  // horizontal field of view; unused by orthographic
+  double width_m = 0;      // orthographic only
+  glm::ivec2 size_px{1280, 720};
+};
+
+class Camera {
+ public:
+  // Throws InputError for a field of view, size or width that makes no picture.
+  explicit Camera(const CameraOptions& options);
+
+  // The ray through a point of the image: pixel (i, j) has its centre at (i + 0.5, j + 0.5).
+  [[nodiscard]] Ray ray(glm::dvec2 image_px) const;
+
+  // Where a point of the view frame falls on the image; nullopt behind the camera.
+  [[nodiscard]] std::optional<glm::dvec2> project(const glm::dvec3& point_m) const;
+
+  [[nodiscard]] const CameraOptions& options() const { return options_; }
+  [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
+  [[nodiscard]] const glm::dvec3& right() const { return right_; }
+  [[nodiscard]] const glm::dvec3& up() const { return up_; }
+
+ private:
+  CameraOptions options_;
+  glm::dvec3 forward_;
+  glm::dvec3 right_;
+  glm::dvec3 up_;
+};
+
+}  // namespace terrview

@@ -1,0 +1,61 @@
+// From the ground of the view frame to a grid.
+//
+// A GroundMap is the smooth map from view-frame (x, y), metres east and north of the eye, to grid
+// (u, v), posts. The image of a straight ground line is a curve in the grid; next_knot() cuts it
+// into linear pieces that stay within kTrackError_cells of the curve. The terrain never moves: rays
+// bend.
+#pragma once
+
+#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
+
+namespace terrview {
+
+// A straight line on the ground of the view frame: origin + direction * g, g in metres >= 0.
+struct GroundLine {
+  glm::dvec2 origin_m{0, 0};
+  glm::dvec2 direction{0, 1};  // unit length
+
+  [[nodiscard]] glm::dvec2 at(double g_m) const { return origin_m + direction * g_m; }
+};
+
+class GroundMap {
+ public:
+  static constexpr double kTrackError_cells = 0.02;
+
+  virtual ~GroundMap() = default;
+
+  // The grid coordinates of a ground point. Defined everywhere within reach_m() of the eye.
+  [[nodiscard]] virtual glm::dvec2 to_grid(glm::dvec2 ground_m) const = 0;
+
+  // d(u, v) / d(x, y): column 0 is the derivative by x, column 1 by y.
+  [[nodiscard]] virtual glm::dmat2 jacobian(glm::dvec2 ground_m) const = 0;
+
+  // How far along `line` the linear piece that starts at `from_m` may reach, in (from_m, limit_m].
+  // Deterministic: it depends on its arguments alone.
+  [[nodiscard]] virtual double piece_end_m(const GroundLine& line, double from_m,
+                                           double limit_m) const = 0;
+
+  // A distance from the eye beyond which no post lies (or can be seen).
+  [[nodiscard]] virtual double reach_m() const = 0;
+};
+
+// (u, v) = origin + jacobian * (x, y): every line is one piece.
+class AffineGroundMap final : public GroundMap {
+ public:
+  // `grid_size` in posts bounds the reach. Throws InputError if `jacobian` is singular.
+  AffineGroundMap(glm::dvec2 eye_uv, const glm::dmat2& jacobian, glm::ivec2 grid_size);
+
+  [[nodiscard]] glm::dvec2 to_grid(glm::dvec2 ground_m) const override;
+  [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const override;
+  [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
+                                   double limit_m) const override;
+  [[nodiscard]] double reach_m() const override { return reach_m_; }
+
+ private:
+  glm::dvec2 eye_uv_;
+  glm::dmat2 jacobian_;
+  double reach_m_;
+};
+
+}  // namespace terrview

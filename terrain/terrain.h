@@ -1,0 +1,92 @@
+// Ray queries against the ground.
+//
+// The surface. A ray's ground line crosses the lines of the grid; at each crossing the ground's
+// height is the linear interpolant of the two posts of the edge crossed, and between two crossings
+// the surface in the ray's vertical plane is the chord between them. SurfaceModel says which lines
+// count:
+//
+//   hyperboloid  rows and columns (Coquillart 1984, chapter 2, 3.3.2): depends on the ray's plane
+//   triangles    rows, columns and the diagonals from the north-west to the south-east post
+//   bilinear     rows and columns, and the parabola of the bilinear patch instead of the chord
+//
+// Where a ray begins or ends inside a cell, the chord begins or ends at height_m() there, so the
+// ground under an eye is one height whatever the azimuth.
+//
+// Nothing lies outside the outermost posts and in cells that touch a post without data. A ray that
+// comes from there below the surface ends at that edge. Of several grids the first that has ground
+// at a point wins, and a vertical face closes the step between two of them.
+//
+// Rounding: a hit lies within 1e-9 of the scene's scale of the surface, and the ray is nowhere
+// deeper than that before it (tests/terrain/tracer_test.cpp).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "terrain/ground_map.h"
+#include "terrain/height_grid.h"
+#include "terrain/ray.h"
+#include "terrain/vertical_frame.h"
+
+namespace terrview {
+
+enum class SurfaceModel { hyperboloid, triangles, bilinear };
+
+// One grid and its place under the eye.
+struct TerrainLayer {
+  std::shared_ptr<const HeightGrid> grid;
+  std::shared_ptr<const GroundMap> map;
+};
+
+// Immutable, so threads may share one.
+class Terrain {
+ public:
+  // `layers` in order of preference. Throws InputError if a grid is smaller than 2 x 2 posts or has
+  // no height at all.
+  Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model);
+
+  // The first point of the ground that `ray` meets from above; nullopt if there is none, or if the
+  // ray begins below the ground, or ends at an edge below it.
+  [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray) const;
+
+  // Whether the ground stops the ray: a hit, or the ray is below the ground somewhere.
+  [[nodiscard]] bool occluded(const Ray& ray) const;
+
+  // The scene height (z_scale included) of the ground at a view-frame point, and its layer; nullopt
+  // where there is none.
+  struct Ground {
+    double scene_height_m;
+    int grid;
+    glm::ivec2 cell;
+    glm::dvec2 uv;
+  };
+  [[nodiscard]] std::optional<Ground> ground_at(glm::dvec2 ground_m) const;
+
+  // Unit normals in the view frame, z > 0. The facet normal is that of the cell's mean plane (the
+  // triangle's under `triangles`); the smooth one interpolates central differences at the posts.
+  [[nodiscard]] glm::dvec3 facet_normal(const Hit& hit) const;
+  [[nodiscard]] glm::dvec3 smooth_normal(const Hit& hit) const;
+
+  // A ray towards `direction` from the ground at `hit`, lifted onto height_m() there (the surface
+  // under a ray depends on its plane) and by the rounding error, so that it does not meet the
+  // ground it leaves.
+  [[nodiscard]] Ray leave(const Hit& hit, const glm::dvec3& direction) const;
+
+  [[nodiscard]] const std::vector<TerrainLayer>& layers() const { return layers_; }
+  [[nodiscard]] const VerticalFrame& frame() const { return frame_; }
+  [[nodiscard]] SurfaceModel model() const { return model_; }
+  [[nodiscard]] double reach_m() const { return reach_m_; }
+
+ private:
+  std::vector<TerrainLayer> layers_;
+  VerticalFrame frame_;
+  SurfaceModel model_;
+  double reach_m_;      // no ground further from the eye
+  double ceiling_m_;    // no ground above this z
+};
+
+}  // namespace terrview
