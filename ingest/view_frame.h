@@ -1,7 +1,7 @@
 // The geodesy of one eye: where the view frame stands on the Earth.
 //
 // Azimuth and distance on the ground of the view frame are those of the geodesic from the eye
-// (azimuthal equidistant map of the DEM's ellipsoid, GeographicLib: nanometres); heights follow
+// (azimuthal equidistant map of the WGS 84 ellipsoid, GeographicLib: nanometres); heights follow
 // terrain/vertical_frame.h. A DEM without a CRS is flat: view-frame (x, y) = CRS (x, y) - eye.
 #pragma once
 
