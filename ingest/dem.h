@@ -30,25 +30,25 @@ struct PostPlacement {
 };
 
 struct DemOptions {
-  std::string crs;                       // --a-srs: anything PROJ understands; empty = the file's
-  std::optional<glm::dvec2> spacing;     // --spacing: the south-west post is (0, 0), no CRS
-  double height_factor = 1;              // the DZ of --spacing: metres per unit of height
-  std::string height_unit;               // --z-unit: m, ft, us-ft, cm, ...; empty = the file's
+  std::string crs;                    // --a-srs: anything PROJ understands; empty = the file's
+  std::optional<glm::dvec2> spacing;  // --spacing: the south-west post is (0, 0), no CRS
+  double height_factor = 1;           // the DZ of --spacing: metres per unit of height
+  std::string height_unit;            // --z-unit: m, ft, us-ft, cm, ...; empty = the file's
   std::optional<std::array<int, 4>> window;  // column, row, width, height, in posts of the file
   int band = 1;
   std::optional<double> nodata;
-  bool fill_voids = true;                // interior voids up to kFilledVoid_posts across
-  std::size_t memory_bytes = 0;          // refuse to allocate more than this; 0 = half of the machine's
+  bool fill_voids = true;        // interior voids up to kFilledVoid_posts across
+  std::size_t memory_bytes = 0;  // refuse to allocate more than this; 0 = half of the machine's
   std::function<void(double share)> progress;  // called now and then, 0 to 1
 };
 
 struct Dem {
-  std::string name;                      // as given by the user: the paths joined by " + "
+  std::string name;  // as given by the user: the paths joined by " + "
   std::shared_ptr<const HeightGrid> grid;
   PostPlacement placement;
-  std::string crs_wkt;                   // empty = none: flat, x east and y north
-  std::string vertical_datum;            // name, empty = unknown
-  std::size_t voids_filled = 0;          // posts
+  std::string crs_wkt;           // empty = none: flat, x east and y north
+  std::string vertical_datum;    // name, empty = unknown
+  std::size_t voids_filled = 0;  // posts
   std::size_t voids_open = 0;
 };
 

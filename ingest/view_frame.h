@@ -21,7 +21,7 @@ namespace terrview {
 
 // Degrees only here: the door of the command line and of files.
 struct GeoPoint {
-  double latitude_deg;   // WGS 84
+  double latitude_deg;  // WGS 84
   double longitude_deg;
 };
 
@@ -79,8 +79,8 @@ class ViewFrame {
   struct Eye {
     std::optional<GeoPoint> geographic;
     glm::dvec2 projected;
-    double height_m;                   // before z_scale
-    std::optional<double> ground_m;    // before z_scale; nullopt = no ground below
+    double height_m;                 // before z_scale
+    std::optional<double> ground_m;  // before z_scale; nullopt = no ground below
   };
   [[nodiscard]] const Eye& eye() const;
 

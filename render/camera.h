@@ -21,11 +21,11 @@ enum class Projection { perspective, cylindrical, orthographic };
 
 struct CameraOptions {
   Projection projection = Projection::perspective;
-  double heading_rad = 0;  // clockwise from true north
-  double pitch_rad = 0;    // up
-  double roll_rad = 0;     // clockwise as seen from behind the camera
+  double heading_rad = 0;               // clockwise from true north
+  double pitch_rad = 0;                 // up
+  double roll_rad = 0;                  // clockwise as seen from behind the camera
   double fov_rad = 1.0471975511965976;  // horizontal field of view; unused by orthographic
-  double width_m = 0;      // orthographic only
+  double width_m = 0;                   // orthographic only
   glm::ivec2 size_px{1280, 720};
 };
 

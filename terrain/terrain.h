@@ -7,9 +7,11 @@
 //
 //   hyperboloid  rows and columns (Coquillart 1984, chapter 2, 3.3.2): depends on the ray's plane
 //   triangles    rows, columns and the diagonals from the north-west to the south-east post
-//   bilinear     rows and columns, and the parabola of the bilinear patch instead of the chord
+//   bilinear     rows and columns, and the knots of a bent track; the parabola of the bilinear
+//   patch
+//                (times dz/dh at the span's start) is added to the chord
 //
-// Where a ray begins or ends inside a cell, the chord begins or ends at height_m() there, so the
+// Where a ray begins or ends inside a cell, the chord begins or ends at height_at() there, so the
 // ground under an eye is one height whatever the azimuth.
 //
 // Nothing lies outside the outermost posts and in cells that touch a post without data. A ray that
@@ -30,11 +32,10 @@
 #include "terrain/ground_map.h"
 #include "terrain/height_grid.h"
 #include "terrain/ray.h"
+#include "terrain/surface_model.h"
 #include "terrain/vertical_frame.h"
 
 namespace terrview {
-
-enum class SurfaceModel { hyperboloid, triangles, bilinear };
 
 // One grid and its place under the eye.
 struct TerrainLayer {
@@ -66,12 +67,13 @@ class Terrain {
   };
   [[nodiscard]] std::optional<Ground> ground_at(glm::dvec2 ground_m) const;
 
-  // Unit normals in the view frame, z > 0. The facet normal is that of the cell's mean plane (the
-  // triangle's under `triangles`); the smooth one interpolates central differences at the posts.
+  // Unit normals in the local frame of the hit, z > 0: x and y along the view frame's axes, z along
+  // the plumb line there. The facet normal is that of the surface inside the cell; the smooth one
+  // interpolates the central differences at the posts.
   [[nodiscard]] glm::dvec3 facet_normal(const Hit& hit) const;
   [[nodiscard]] glm::dvec3 smooth_normal(const Hit& hit) const;
 
-  // A ray towards `direction` from the ground at `hit`, lifted onto height_m() there (the surface
+  // A ray towards `direction` from the ground at `hit`, lifted onto ground_at() there (the surface
   // under a ray depends on its plane) and by the rounding error, so that it does not meet the
   // ground it leaves.
   [[nodiscard]] Ray leave(const Hit& hit, const glm::dvec3& direction) const;
@@ -85,8 +87,8 @@ class Terrain {
   std::vector<TerrainLayer> layers_;
   VerticalFrame frame_;
   SurfaceModel model_;
-  double reach_m_;      // no ground further from the eye
-  double ceiling_m_;    // no ground above this z
+  double reach_m_;    // no ground further from the eye
+  double ceiling_m_;  // no ground above this z
 };
 
 }  // namespace terrview

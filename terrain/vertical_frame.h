@@ -9,7 +9,8 @@
 //   w = R (h - h_eye) / (R + h)
 //
 // R is the ellipsoid's radius of curvature at the eye along the azimuth (Euler's formula) and k the
-// geodetic coefficient of refraction. With both curvatures zero the Earth is flat and z = h - h_eye.
+// geodetic coefficient of refraction. With both curvatures zero the Earth is flat and z = h -
+// h_eye.
 //
 // Error: under 1e-6 rad of elevation to 100 km, against geocentric coordinates on the ellipsoid.
 #pragma once
@@ -19,11 +20,11 @@
 namespace terrview {
 
 struct VerticalFrame {
-  double eye_height_m = 0;        // in scene heights, z_scale included
-  double z_scale = 1;             // heights of grids are multiplied by this
+  double eye_height_m = 0;           // in scene heights, z_scale included
+  double z_scale = 1;                // heights of grids are multiplied by this
   double north_curvature_per_m = 0;  // 1 / R along the meridian at the eye; 0 on a flat Earth
   double east_curvature_per_m = 0;   // 1 / R across the meridian
-  double refraction = 0;          // k; light bends with the radius R / k
+  double refraction = 0;             // k; light bends with the radius R / k
 
   // The functions of one ground point.
   class Column {
@@ -36,8 +37,8 @@ struct VerticalFrame {
 
     // z of a point of height `scene_height_m` (z_scale included).
     [[nodiscard]] double z_m(double scene_height_m) const {
-      return drop_m_ + stretch_ * (scene_height_m - eye_height_m_) /
-                           (1 + curvature_per_m_ * scene_height_m);
+      return drop_m_ +
+             stretch_ * (scene_height_m - eye_height_m_) / (1 + curvature_per_m_ * scene_height_m);
     }
 
     // dz/dh at that height.

@@ -1,0 +1,204 @@
+#include "terrain/grid_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+
+namespace terrview {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+double lerp_heights(float from_m, float to_m, double share) {
+  const double from = from_m;
+  return from + share * (to_m - from);
+}
+
+// Narrows [low, high] to where start + rate * (g - begin) lies within [0, last].
+void clip(double start, double rate, double begin, double last, double& low, double& high) {
+  if (rate == 0) {
+    if (start < 0 || start > last) high = -kNever;
+    return;
+  }
+  const double at_first = begin + (0 - start) / rate;
+  const double at_last = begin + (last - start) / rate;
+  low = std::max(low, std::min(at_first, at_last));
+  high = std::min(high, std::max(at_first, at_last));
+}
+
+double next_line(int cell, double rate) { return rate > 0 ? cell + 1.0 : cell; }
+
+}  // namespace
+
+glm::ivec2 cell_of(const HeightGrid& grid, glm::dvec2 uv) {
+  return {std::clamp(static_cast<int>(uv.x), 0, grid.columns - 2),
+          std::clamp(static_cast<int>(uv.y), 0, grid.rows - 2)};
+}
+
+double height_at(const HeightGrid& grid, SurfaceModel model, glm::ivec2 cell, glm::dvec2 uv) {
+  const glm::dvec2 f = glm::clamp(uv - glm::dvec2(cell), 0.0, 1.0);
+  const double nw = grid.at(cell.x, cell.y);
+  const double ne = grid.at(cell.x + 1, cell.y);
+  const double sw = grid.at(cell.x, cell.y + 1);
+  const double se = grid.at(cell.x + 1, cell.y + 1);
+  if (model == SurfaceModel::triangles) {
+    return f.x >= f.y ? nw + f.x * (ne - nw) + f.y * (se - ne)
+                      : nw + f.y * (sw - nw) + f.x * (se - sw);
+  }
+  const double north = nw + f.x * (ne - nw);
+  const double south = sw + f.x * (se - sw);
+  return north + f.y * (south - north);
+}
+
+GridWalk::GridWalk(const HeightGrid& grid, const GroundMap& map, SurfaceModel model,
+                   const GroundLine& line, double from_m, double to_m)
+    : grid_(grid), map_(map), model_(model), ground_line_(line), to_m_(to_m) {
+  load_piece(from_m, map.to_grid(line.at(from_m)));
+  last_.g_m = from_m;
+}
+
+void GridWalk::load_piece(double begin_m, glm::dvec2 start) {
+  const double end_m = begin_m < to_m_ ? map_.piece_end_m(ground_line_, begin_m, to_m_) : begin_m;
+  const glm::dvec2 end = map_.to_grid(ground_line_.at(end_m));
+  const glm::dvec2 rate = end_m > begin_m ? (end - start) / (end_m - begin_m) : glm::dvec2(0);
+  piece_ = {begin_m, end_m, start, end, rate};
+}
+
+bool GridWalk::next_piece() {
+  if (piece_.end_m >= to_m_) return false;
+  load_piece(piece_.end_m, piece_.end);
+  return true;
+}
+
+bool GridWalk::enter() {
+  do {
+    double low = std::max(piece_.begin_m, last_.g_m);
+    double high = piece_.end_m;
+    clip(piece_.start.x, piece_.rate.x, piece_.begin_m, grid_.columns - 1, low, high);
+    clip(piece_.start.y, piece_.rate.y, piece_.begin_m, grid_.rows - 1, low, high);
+    if (low <= high) {
+      stand_at(low, piece_.at(low));
+      return true;
+    }
+  } while (next_piece());
+  return false;
+}
+
+void GridWalk::stand_at(double g_m, glm::dvec2 uv) {
+  const glm::dvec2 last_post(grid_.columns - 1, grid_.rows - 1);
+  uv = glm::clamp(uv, glm::dvec2(0), last_post);
+  cell_ = cell_of(grid_, uv);
+  const glm::dvec2 f = uv - glm::dvec2(cell_);
+  north_east_ = f.x >= f.y;
+  has_ground_ = grid_.has_ground(cell_.x, cell_.y);
+  inside_ = true;
+  last_ = inside_point(g_m, uv);
+}
+
+GridWalk::Event GridWalk::nearest_line() const {
+  const glm::dvec2& rate = piece_.rate;
+  Event event{kNever, Line::none};
+  const auto consider = [&](double distance, double speed, Line line) {
+    const double g_m = std::max(last_.g_m, piece_.begin_m + distance / speed);
+    if (g_m < event.g_m) event = {g_m, line};
+  };
+  if (rate.x != 0) consider(next_line(cell_.x, rate.x) - piece_.start.x, rate.x, Line::column);
+  if (rate.y != 0) consider(next_line(cell_.y, rate.y) - piece_.start.y, rate.y, Line::row);
+  if (model_ == SurfaceModel::triangles) {
+    const double turn = rate.x - rate.y;
+    if (north_east_ ? turn < 0 : turn > 0) {
+      const double offset = (piece_.start.x - cell_.x) - (piece_.start.y - cell_.y);
+      consider(-offset, turn, Line::diagonal);
+    }
+  }
+  return event;
+}
+
+Crossing GridWalk::inside_point(double g_m, glm::dvec2 uv) const {
+  const double height_m =
+      has_ground_ ? height_at(grid_, model_, cell_, uv) : std::numeric_limits<double>::quiet_NaN();
+  return {g_m, uv, height_m};
+}
+
+Crossing GridWalk::crossing(const Event& event) const {
+  const glm::dvec2 uv = glm::clamp(piece_.at(event.g_m), glm::dvec2(cell_), glm::dvec2(cell_ + 1));
+  if (event.line == Line::column) {
+    const int column = piece_.rate.x > 0 ? cell_.x + 1 : cell_.x;
+    return {event.g_m,
+            {column, uv.y},
+            lerp_heights(grid_.at(column, cell_.y), grid_.at(column, cell_.y + 1), uv.y - cell_.y)};
+  }
+  if (event.line == Line::row) {
+    const int row = piece_.rate.y > 0 ? cell_.y + 1 : cell_.y;
+    return {event.g_m,
+            {uv.x, row},
+            lerp_heights(grid_.at(cell_.x, row), grid_.at(cell_.x + 1, row), uv.x - cell_.x)};
+  }
+  const double f = uv.x - cell_.x;
+  return {event.g_m,
+          {uv.x, cell_.y + f},
+          lerp_heights(grid_.at(cell_.x, cell_.y), grid_.at(cell_.x + 1, cell_.y + 1), f)};
+}
+
+void GridWalk::cross(Line line) {
+  if (line == Line::diagonal) {
+    north_east_ = !north_east_;
+    return;
+  }
+  const bool along_columns = line == Line::column;
+  const bool forward = (along_columns ? piece_.rate.x : piece_.rate.y) > 0;
+  (along_columns ? cell_.x : cell_.y) += forward ? 1 : -1;
+  // A cell is entered through one of its edges, and each edge belongs to one triangle.
+  north_east_ = along_columns ? !forward : forward;
+  inside_ = cell_.x >= 0 && cell_.y >= 0 && cell_.x < grid_.columns - 1 && cell_.y < grid_.rows - 1;
+  if (inside_) has_ground_ = grid_.has_ground(cell_.x, cell_.y);
+}
+
+void GridWalk::fill(Span& span, const Crossing& out) const {
+  span.in = last_;
+  span.out = out;
+  span.cell = cell_;
+  span.has_ground = has_ground_;
+  span.sag_m = 0;
+  if (model_ == SurfaceModel::bilinear && has_ground_) {
+    const double twist = static_cast<double>(grid_.at(cell_.x, cell_.y)) -
+                         grid_.at(cell_.x + 1, cell_.y) - grid_.at(cell_.x, cell_.y + 1) +
+                         grid_.at(cell_.x + 1, cell_.y + 1);
+    span.sag_m = twist * (out.uv.x - last_.uv.x) * (out.uv.y - last_.uv.y);
+  }
+}
+
+bool GridWalk::next(Span& span) {
+  if (!inside_ && !enter()) return false;
+  while (true) {
+    const Event event = nearest_line();
+    if (event.g_m <= piece_.end_m) {
+      const Crossing out = crossing(event);
+      fill(span, out);
+      cross(event.line);
+      last_ = out;
+      // A straight piece leaves a rectangle once: the next entry is on a later piece.
+      if (!inside_ && !next_piece()) last_.g_m = kNever;
+      return true;
+    }
+    const bool finished = piece_.end_m >= to_m_;
+    const bool breaks_here = finished || model_ == SurfaceModel::bilinear;
+    if (breaks_here) {
+      const Crossing knot = inside_point(
+          piece_.end_m, glm::clamp(piece_.end, glm::dvec2(cell_), glm::dvec2(cell_ + 1)));
+      fill(span, knot);
+      last_ = knot;
+    }
+    if (finished) {
+      inside_ = false;
+      last_.g_m = kNever;
+      return true;
+    }
+    if (!next_piece()) return false;
+    if (breaks_here) return true;
+  }
+}
+
+}  // namespace terrview

@@ -1,0 +1,90 @@
+// The walk of a ray's ground line over one grid, crossing by crossing.
+//
+// Method: Coquillart 1984, chapter 2, 3.2: keep the next crossing with a column line and with a row
+// line, take the nearer, step one cell. Crossings are computed in closed form from the start of the
+// track's piece, never accumulated, and the cell is carried as integers: a crossing is shared by
+// the two cells it parts, so no ray slips between them.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "terrain/ground_map.h"
+#include "terrain/height_grid.h"
+#include "terrain/surface_model.h"
+
+namespace terrview {
+
+// A point of the walk, on an edge of a cell or where the line begins or ends.
+struct Crossing {
+  double g_m;  // along the ground line
+  glm::dvec2 uv;
+  double height_m;  // of the grid's surface there; NaN beside a hole
+};
+
+// The part of a ground line between two consecutive crossings.
+struct Span {
+  Crossing in;
+  Crossing out;
+  glm::ivec2 cell;
+  bool has_ground;  // false: a hole; the heights mean nothing
+  double sag_m;     // the surface lies sag * t * (1 - t) below the chord at the share t of the span
+};
+
+// The height of the surface inside a cell that has ground, where no ray's plane is given:
+// bilinear, or the triangle's plane.
+[[nodiscard]] double height_at(const HeightGrid& grid, SurfaceModel model, glm::ivec2 cell,
+                               glm::dvec2 uv);
+
+// The cell of a point of the grid; points on the last lines belong to the last cells.
+[[nodiscard]] glm::ivec2 cell_of(const HeightGrid& grid, glm::dvec2 uv);
+
+class GridWalk {
+ public:
+  // Walks from `from_m` to `to_m` along `line`. All references must outlive the walk.
+  GridWalk(const HeightGrid& grid, const GroundMap& map, SurfaceModel model, const GroundLine& line,
+           double from_m, double to_m);
+
+  // The next span over the grid; false when the line has left it for good. Spans follow each other
+  // without a gap while the line is over the grid; a bent line may leave and come back.
+  [[nodiscard]] bool next(Span& span);
+
+ private:
+  // A linear piece of the track: uv(g) = start + rate * (g - begin).
+  struct Piece {
+    double begin_m;
+    double end_m;
+    glm::dvec2 start;
+    glm::dvec2 end;
+    glm::dvec2 rate;
+    [[nodiscard]] glm::dvec2 at(double g_m) const { return start + rate * (g_m - begin_m); }
+  };
+  enum class Line { none, column, row, diagonal };
+  struct Event {
+    double g_m;
+    Line line;
+  };
+
+  void load_piece(double begin_m, glm::dvec2 start);
+  [[nodiscard]] bool next_piece();
+  [[nodiscard]] bool enter();
+  void stand_at(double g_m, glm::dvec2 uv);
+  [[nodiscard]] Event nearest_line() const;
+  void cross(Line line);
+  [[nodiscard]] Crossing crossing(const Event& event) const;
+  [[nodiscard]] Crossing inside_point(double g_m, glm::dvec2 uv) const;
+  void fill(Span& span, const Crossing& out) const;
+
+  const HeightGrid& grid_;
+  const GroundMap& map_;
+  SurfaceModel model_;
+  GroundLine ground_line_;
+  double to_m_;
+  Piece piece_{};
+  glm::ivec2 cell_{};
+  bool inside_ = false;
+  bool has_ground_ = false;
+  bool north_east_ = false;  // which triangle of the cell
+  Crossing last_{};
+};
+
+}  // namespace terrview

@@ -1,0 +1,39 @@
+#include "terrain/ground_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "terrain/error.h"
+
+namespace terrview {
+
+AffineGroundMap::AffineGroundMap(glm::dvec2 eye_uv, const glm::dmat2& jacobian,
+                                 glm::ivec2 grid_size)
+    : eye_uv_(eye_uv), jacobian_(jacobian), reach_m_(0) {
+  const double determinant = glm::determinant(jacobian);
+  if (!std::isfinite(determinant) || determinant == 0)
+    throw InputError("the grid's posts lie on a line: check its geotransform");
+  const glm::dmat2 to_ground = glm::inverse(jacobian);
+  for (const double u : {0.0, grid_size.x - 1.0}) {
+    for (const double v : {0.0, grid_size.y - 1.0})
+      reach_m_ = std::max(reach_m_, glm::length(to_ground * (glm::dvec2(u, v) - eye_uv)));
+  }
+  // A margin for rounding, so that the farthest post is not cut off.
+  reach_m_ += 1e-9 * reach_m_ + glm::length(to_ground[0]) + glm::length(to_ground[1]);
+}
+
+glm::dvec2 AffineGroundMap::to_grid(glm::dvec2 ground_m) const {
+  return eye_uv_ + jacobian_ * ground_m;
+}
+
+glm::dmat2 AffineGroundMap::jacobian(glm::dvec2 /*ground_m*/) const { return jacobian_; }
+
+double AffineGroundMap::piece_end_m(const GroundLine& /*line*/, double /*from_m*/,
+                                    double limit_m) const {
+  return limit_m;
+}
+
+}  // namespace terrview

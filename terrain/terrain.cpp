@@ -1,0 +1,80 @@
+#include "terrain/terrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "terrain/error.h"
+#include "terrain/grid_walk.h"
+#include "terrain/tracer.h"
+
+namespace terrview {
+namespace {
+
+// How far leave() lifts a ray, as a share of the numbers its rounding errors come from: posts
+// counted to 1e5 with relief of a kilometre per cell lose 1e-11 of them.
+constexpr double kLift = 1e-10;
+
+void check(const HeightGrid& grid, const HeightRange& range) {
+  const std::string size = std::to_string(grid.columns) + " x " + std::to_string(grid.rows);
+  if (grid.columns < 2 || grid.rows < 2)
+    throw InputError("a grid of " + size + " posts has no ground: give one of at least 2 x 2");
+  if (std::isnan(range.highest_m))
+    throw InputError("a grid of " + size + " posts has no height at all: check its nodata value");
+}
+
+}  // namespace
+
+Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model)
+    : layers_(std::move(layers)),
+      frame_(frame),
+      model_(model),
+      reach_m_(0),
+      ceiling_m_(-std::numeric_limits<double>::infinity()) {
+  for (const TerrainLayer& layer : layers_) {
+    const HeightRange range = height_range(*layer.grid);
+    check(*layer.grid, range);
+    reach_m_ = std::max(reach_m_, layer.map->reach_m());
+    ceiling_m_ = std::max(ceiling_m_,
+                          frame_.ceiling_m(frame_.z_scale * range.highest_m, layer.map->reach_m()));
+  }
+}
+
+std::optional<Hit> Terrain::first_hit(const Ray& ray) const {
+  const Trace found = trace(*this, ceiling_m_, ray);
+  if (found.outcome != Outcome::hit) return std::nullopt;
+  return found.hit;
+}
+
+bool Terrain::occluded(const Ray& ray) const {
+  return trace(*this, ceiling_m_, ray).outcome != Outcome::free;
+}
+
+std::optional<Terrain::Ground> Terrain::ground_at(glm::dvec2 ground_m) const {
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const HeightGrid& grid = *layers_[i].grid;
+    const glm::dvec2 uv = layers_[i].map->to_grid(ground_m);
+    if (!grid.covers(uv)) continue;
+    const glm::ivec2 cell = cell_of(grid, uv);
+    if (!grid.has_ground(cell.x, cell.y)) continue;
+    return Ground{frame_.z_scale * height_at(grid, model_, cell, uv), static_cast<int>(i), cell,
+                  uv};
+  }
+  return std::nullopt;
+}
+
+Ray Terrain::leave(const Hit& hit, const glm::dvec3& direction) const {
+  glm::dvec3 origin_m = hit.position_m;
+  double height_m = 0;
+  if (const auto ground = ground_at(glm::dvec2(origin_m))) {
+    height_m = ground->scene_height_m;
+    origin_m.z = std::max(origin_m.z, frame_.at(glm::dvec2(origin_m)).z_m(height_m));
+  }
+  origin_m.z += kLift * (std::abs(origin_m.x) + std::abs(origin_m.y) + std::abs(origin_m.z) +
+                         std::abs(height_m) + std::abs(frame_.eye_height_m));
+  return {origin_m, direction};
+}
+
+}  // namespace terrview

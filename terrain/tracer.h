@@ -1,0 +1,25 @@
+// One ray through the layers of a Terrain: the plain walk, cell by cell, in double precision.
+#pragma once
+
+#include <optional>
+
+#include "terrain/ray.h"
+#include "terrain/terrain.h"
+
+namespace terrview {
+
+enum class Outcome {
+  free,   // the ray meets nothing
+  hit,    // from above
+  below,  // it begins below the ground, or comes below it over an edge of the ground
+};
+
+struct Trace {
+  Outcome outcome = Outcome::free;
+  Hit hit{};  // where outcome is hit
+};
+
+// `ceiling_m`: no ground lies above this z.
+[[nodiscard]] Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray);
+
+}  // namespace terrview

@@ -1,0 +1,68 @@
+#include "terrain/vertical_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace terrview {
+namespace {
+
+// Below this gamma^2 (about 640 km) the truncated series are right to 1e-15.
+constexpr double kSeriesLimit = 0.01;
+
+// tan(gamma / 2) / gamma, a function of gamma^2.
+double half_tangent(double gamma2) {
+  if (gamma2 > kSeriesLimit) {
+    const double gamma = std::sqrt(gamma2);
+    return std::tan(gamma / 2) / gamma;
+  }
+  return 1.0 / 2 +
+         gamma2 * (1.0 / 24 +
+                   gamma2 * (1.0 / 240 +
+                             gamma2 * (17.0 / 40320 +
+                                       gamma2 * (31.0 / 725760 + gamma2 * (691.0 / 159667200)))));
+}
+
+// gamma / sin(gamma), a function of gamma^2.
+double inverse_sinc(double gamma2) {
+  if (gamma2 > kSeriesLimit) {
+    const double gamma = std::sqrt(gamma2);
+    return gamma / std::sin(gamma);
+  }
+  return 1 + gamma2 * (1.0 / 6 +
+                       gamma2 * (7.0 / 360 +
+                                 gamma2 * (31.0 / 15120 +
+                                           gamma2 * (127.0 / 604800 + gamma2 * (73.0 / 3421440)))));
+}
+
+}  // namespace
+
+VerticalFrame::Column VerticalFrame::at(glm::dvec2 ground_m) const {
+  if (north_curvature_per_m == 0 && east_curvature_per_m == 0) return {0, 1, 0, eye_height_m};
+  const double x2 = ground_m.x * ground_m.x;
+  const double y2 = ground_m.y * ground_m.y;
+  const double s2 = x2 + y2;
+  // s^2 / R by Euler's formula, which stays smooth at the eye.
+  const double s2_over_r = x2 * east_curvature_per_m + y2 * north_curvature_per_m;
+  const double curvature = s2 > 0 ? s2_over_r / s2 : north_curvature_per_m;
+  const double gamma2 = s2_over_r * curvature;
+  const double drop = s2_over_r * (refraction / 2 - half_tangent(gamma2));
+  return {drop, inverse_sinc(gamma2), curvature, eye_height_m};
+}
+
+double VerticalFrame::ceiling_m(double scene_height_m, double reach_m) const {
+  const double gamma = reach_m * std::max(north_curvature_per_m, east_curvature_per_m);
+  const double far_stretch = inverse_sinc(gamma * gamma);
+  const double far_lift =
+      std::max(0.0, refraction - 1) * gamma * reach_m;  // only ducting raises the ground
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const double curvature : {north_curvature_per_m, east_curvature_per_m}) {
+    for (const double stretch : {1.0, far_stretch}) {
+      highest =
+          std::max(highest, Column(far_lift, stretch, curvature, eye_height_m).z_m(scene_height_m));
+    }
+  }
+  return highest;
+}
+
+}  // namespace terrview
