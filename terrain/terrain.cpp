@@ -42,8 +42,9 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
   }
 }
 
-std::optional<Hit> Terrain::first_hit(const Ray& ray) const {
+std::optional<Hit> Terrain::first_hit(const Ray& ray, TraceCounts* counts) const {
   const Trace found = trace(*this, ceiling_m_, ray);
+  if (counts) counts->tests += found.tests;
   if (found.outcome != Outcome::hit) return std::nullopt;
   return found.hit;
 }

@@ -22,6 +22,7 @@
 // deeper than that before it (tests/terrain/tracer_test.cpp).
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -43,6 +44,11 @@ struct TerrainLayer {
   std::shared_ptr<const GroundMap> map;
 };
 
+// The work of a query.
+struct TraceCounts {
+  std::int64_t tests = 0;  // spans of ground compared with the ray
+};
+
 // Immutable, so threads may share one.
 class Terrain {
  public:
@@ -52,7 +58,8 @@ class Terrain {
 
   // The first point of the ground that `ray` meets from above; nullopt if there is none, or if the
   // ray begins below the ground, or ends at an edge below it.
-  [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray) const;
+  // Adds the work done to `counts`, if given.
+  [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray, TraceCounts* counts = nullptr) const;
 
   // Whether the ground stops the ray: a hit, or the ray is below the ground somewhere.
   [[nodiscard]] bool occluded(const Ray& ray) const;

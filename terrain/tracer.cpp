@@ -86,6 +86,7 @@ class Tracer {
     const bool continues = on_ground_ && grid == grid_of_last_ && span.in.g_m == last_m_;
     const double in = continues ? last_clearance_ : clearance(span.in);
     const double out = clearance(span.out);
+    ++trace_.tests;
     const bool was_on_ground = on_ground_ && span.in.g_m == last_m_;
     on_ground_ = true;
     grid_of_last_ = grid;
@@ -137,10 +138,10 @@ Trace trace_vertical(const Terrain& terrain, const Ray& ray) {
   if (!ground) return {};
   const double z_m = terrain.frame().at(glm::dvec2(ray.origin_m)).z_m(ground->scene_height_m);
   const double clearance_m = ray.origin_m.z - z_m;
-  if (clearance_m < 0) return {Outcome::below, {}};
+  if (clearance_m < 0) return {Outcome::below, {}, 1};
   if (ray.direction.z > 0 || clearance_m > ray.length_m) return {};
   const glm::dvec3 position(ray.origin_m.x, ray.origin_m.y, z_m);
-  return {Outcome::hit, {clearance_m, position, ground->grid, ground->cell, ground->uv}};
+  return {Outcome::hit, {clearance_m, position, ground->grid, ground->cell, ground->uv}, 1};
 }
 
 }  // namespace

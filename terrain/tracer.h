@@ -1,7 +1,7 @@
 // One ray through the layers of a Terrain: the plain walk, cell by cell, in double precision.
 #pragma once
 
-#include <optional>
+#include <cstdint>
 
 #include "terrain/ray.h"
 #include "terrain/terrain.h"
@@ -17,6 +17,7 @@ enum class Outcome {
 struct Trace {
   Outcome outcome = Outcome::free;
   Hit hit{};  // where outcome is hit
+  std::int64_t tests = 0;
 };
 
 // `ceiling_m`: no ground lies above this z.

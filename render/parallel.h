@@ -1,0 +1,12 @@
+// The one place that starts threads.
+#pragma once
+
+#include <functional>
+
+namespace terrview {
+
+// Calls work(0) ... work(count - 1), each once, in any order on up to `threads` threads (0 = all).
+// What a call throws ends the loop and is thrown again.
+void parallel_rows(int count, int threads, const std::function<void(int row)>& work);
+
+}  // namespace terrview

@@ -1,0 +1,38 @@
+// What is to be seen: the ground, its colours, the light and the sky. Immutable while rendering.
+#pragma once
+
+#include <memory>
+
+#include <glm/vec3.hpp>
+
+#include "render/color_ramp.h"
+#include "terrain/terrain.h"
+
+namespace terrview {
+
+// I = ambient * ka + (N . L) * sun * kd, with ka = kd = the ground's colour (Coquillart 1984,
+// chapter 1, 2.4).
+struct Light {
+  glm::dvec3 towards_sun{0, 0, 1};  // true east-north-up at the eye, unit length
+  glm::vec3 sun{0.80F, 0.76F, 0.68F};
+  glm::vec3 ambient{0.22F, 0.25F, 0.30F};
+  bool casts_shadows = true;
+};
+
+// A plain sky: one colour at the horizon, another overhead.
+struct SkyGradient {
+  glm::vec3 horizon{0.56F, 0.68F, 0.82F};
+  glm::vec3 zenith{0.08F, 0.20F, 0.52F};
+};
+
+enum class NormalKind { smooth, facet };
+
+struct Scene {
+  std::shared_ptr<const Terrain> terrain;
+  ColorRamp tints = altitude_tints();
+  NormalKind normals = NormalKind::smooth;
+  Light light;
+  SkyGradient sky;
+};
+
+}  // namespace terrview
