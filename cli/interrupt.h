@@ -1,0 +1,14 @@
+// Ctrl-C, as an exception at the next progress report.
+#pragma once
+
+namespace terrview {
+
+struct Interrupted {};
+
+// From now on SIGINT and SIGTERM are remembered instead of ending the program.
+void catch_interrupts();
+
+// Throws Interrupted if one has come.
+void check_interrupt();
+
+}  // namespace terrview

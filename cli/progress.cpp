@@ -1,0 +1,47 @@
+#include "cli/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+namespace terrview {
+namespace {
+
+constexpr double kQuiet_s = 1;  // shorter work needs no bar
+constexpr int kWidth = 30;
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+ProgressBar::ProgressBar(std::string label, bool shown)
+    : label_(std::move(label)), shown_(shown), start_s_(now_s()) {}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_percent_ >= 0) std::fputc('\n', stderr);
+}
+
+void ProgressBar::report(double share) {
+  if (!shown_ || now_s() - start_s_ < kQuiet_s) return;
+  const int percent = static_cast<int>(std::clamp(share, 0.0, 1.0) * 100);
+  const std::lock_guard lock(mutex_);
+  if (percent <= drawn_percent_) return;
+  drawn_percent_ = percent;
+  const int filled = percent * kWidth / 100;
+  const double spent_s = now_s() - start_s_;
+  const double left_s = share > 0 ? spent_s * (1 - share) / share : 0;
+  std::fprintf(stderr, "\r%s [%s%s] %3d %% %4.0f s left ", label_.c_str(),
+               std::string(static_cast<std::size_t>(filled), '#').c_str(),
+               std::string(static_cast<std::size_t>(kWidth - filled), ' ').c_str(), percent,
+               left_s);
+  std::fflush(stderr);
+}
+
+}  // namespace terrview

@@ -1,0 +1,65 @@
+#include "cli/run.h"
+
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <new>
+
+#include "cli/command_line.h"
+#include "cli/info_command.h"
+#include "cli/interrupt.h"
+#include "cli/view_command.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+constexpr const char* kUsage =
+    "terrview: what can be seen of a landscape from a point on the Earth\n"
+    "\n"
+    "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
+    "  terrview info DEM... [--json]                                 what a DEM holds\n"
+    "\n"
+    "ALT is in metres; +2 is two metres above the ground. See terrview view --help.\n";
+
+using Command = int (*)(const std::vector<std::string>& args);
+
+int dispatch(std::vector<std::string> args) {
+  static const std::map<std::string, Command> kCommands{{"view", run_view}, {"info", run_info}};
+  if (args.empty()) {
+    std::fputs(kUsage, stderr);
+    return 2;
+  }
+  if (args.front() == "-h" || args.front() == "--help") {
+    std::fputs(kUsage, stdout);
+    return 0;
+  }
+  const auto command = kCommands.find(args.front());
+  if (command == kCommands.end()) return run_view(args);
+  args.erase(args.begin());
+  return command->second(args);
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& args) {
+  catch_interrupts();
+  try {
+    return dispatch(args);
+  } catch (const NothingToDo&) {
+    return 0;
+  } catch (const Interrupted&) {
+    std::fputs("terrview: interrupted: nothing was written\n", stderr);
+    return 130;
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "terrview: %s\n", error.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fputs("terrview: out of memory: use a --window of the DEM or a smaller --size\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "terrview: %s\n", error.what());
+  }
+  return 1;
+}
+
+}  // namespace terrview

@@ -1,0 +1,183 @@
+#include "cli/view_options.h"
+
+#include <functional>
+#include <numbers>
+
+#include <CLI/CLI.hpp>
+
+namespace terrview {
+namespace {
+
+// An option whose text goes through one of the functions of cli/parse.h.
+CLI::Option* add_parsed(CLI::App& app, const std::string& name,
+                        std::function<void(const std::string&)> parse, const std::string& help) {
+  return app.add_option_function<std::string>(name, std::move(parse), help);
+}
+
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
+                        const std::map<std::string, Value>& choices, const std::string& help) {
+  std::string names;
+  for (const auto& [key, unused] : choices) names += (names.empty() ? "" : "|") + key;
+  return app
+      .add_option_function<std::string>(
+          name, [&value, choices](const std::string& text) { value = choices.at(text); }, help)
+      ->check(CLI::IsMember(choices))
+      ->type_name(names);
+}
+
+void add_place_options(CLI::App& app, ViewOptions& options) {
+  auto* eye = add_parsed(
+                  app, "--eye", [&](const std::string& text) { options.eye = parse_eye(text); },
+                  "Where the eye is: degrees (WGS 84) and metres; +H is above the ground there")
+                  ->type_name("LAT,LON,ALT");
+  auto* eye_xy =
+      add_parsed(
+          app, "--eye-xy", [&](const std::string& text) { options.eye = parse_eye_xy(text); },
+          "The same in the first DEM's own coordinates")
+          ->type_name("X,Y,Z");
+  auto* look_at =
+      add_parsed(
+          app, "--look-at", [&](const std::string& text) { options.look_at = parse_look_at(text); },
+          "Aim at a point (default: the DEM's centre)")
+          ->type_name("LAT,LON[,ALT]");
+  auto* look_at_xy = add_parsed(
+                         app, "--look-at-xy",
+                         [&](const std::string& text) { options.look_at = parse_look_at_xy(text); },
+                         "The same in the first DEM's own coordinates")
+                         ->type_name("X,Y[,Z]");
+  auto* heading = app.add_option("--heading", options.heading_deg,
+                                 "Degrees clockwise from true north; alone, pitch is 0");
+  eye->excludes(eye_xy);
+  look_at->excludes(look_at_xy)->excludes(heading);
+  look_at_xy->excludes(heading);
+  app.add_option("--pitch", options.pitch_deg, "Degrees up");
+  app.add_option("--roll", options.roll_deg, "Degrees clockwise as seen from behind the camera");
+  app.add_option("--from-camera", options.from_camera, "Make the view of a --camera file again")
+      ->type_name("FILE");
+}
+
+void add_projection_options(CLI::App& app, ViewOptions& options) {
+  app.add_option("--fov", options.fov_deg, "Horizontal field of view, degrees (default 60)");
+  add_parsed(
+      app, "--size", [&](const std::string& text) { options.size_px = parse_size(text); },
+      "Pixels (default 1280x720)")
+      ->type_name("WxH");
+  app.add_option_function<std::string>(
+         "--projection",
+         [&](const std::string& text) {
+           options.projection = text == "perspective"   ? Projection::perspective
+                                : text == "cylindrical" ? Projection::cylindrical
+                                                        : Projection::orthographic;
+         },
+         "How the view falls on the picture (default perspective)")
+      ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic"}))
+      ->type_name("perspective|cylindrical|orthographic");
+  app.add_option("--width", options.width_m, "Metres across an orthographic picture");
+}
+
+void add_ground_options(CLI::App& app, ViewOptions& options) {
+  app.add_option("--z-scale", options.z_scale, "Multiply heights and an absolute ALT (default 1)");
+  add_choice<SurfaceModel>(app, "--surface", options.surface,
+                           {{"hyperboloid", SurfaceModel::hyperboloid},
+                            {"triangles", SurfaceModel::triangles},
+                            {"bilinear", SurfaceModel::bilinear}},
+                           "The ground between posts (default hyperboloid)");
+  app.add_option_function<std::string>(
+         "--earth",
+         [&](const std::string& text) {
+           options.earth = text == "flat" ? EarthModel::flat : EarthModel::curved;
+         },
+         "curved (default), or flat: the affine map at the eye, no drop")
+      ->check(CLI::IsMember({"curved", "flat"}))
+      ->type_name("curved|flat");
+  app.add_option("--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
+}
+
+void add_light_options(CLI::App& app, ViewOptions& options) {
+  add_parsed(
+      app, "--sun",
+      [&](const std::string& text) {
+        const auto angles = parse_numbers("--sun", text, 2, 2);
+        constexpr double kRadians = std::numbers::pi / 180;
+        options.sun = SunPosition{angles[0] * kRadians, angles[1] * kRadians};
+      },
+      "The sun as seen from the eye, degrees (default: 3 pm on the longest day there)")
+      ->type_name("AZ,EL");
+  app.add_flag("--no-shadows", options.no_shadows, "No cast shadows");
+  add_choice<NormalKind>(app, "--normals", options.normals,
+                         {{"smooth", NormalKind::smooth}, {"facet", NormalKind::facet}},
+                         "Light smooth ground (default) or its facets");
+  app.add_option("--colors", options.colors,
+                 "Colours by altitude: gdaldem color-relief text or a QGIS colour map")
+      ->type_name("FILE");
+}
+
+void add_output_options(CLI::App& app, ViewOptions& options) {
+  app.add_option("-o", options.output,
+                 "Picture: png, jpg, tif, exr, webp or ppm (default: the first DEM's name + .png)")
+      ->type_name("FILE");
+  app.add_option("--of", options.format, "Picture format, if not by extension");
+  app.add_option_function<std::vector<std::string>>(
+         "--co",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts)
+             options.creation.insert(parse_creation_option(text));
+         },
+         "Creation option: QUALITY, ZLEVEL or COMPRESS")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
+  app.add_option("--layers", options.layers,
+                 "Per-pixel distance, place, height and object, as .tif or .exr")
+      ->type_name("FILE");
+  app.add_option("--stats", options.stats, "What the work cost, and its errors, as JSON")
+      ->type_name("FILE");
+  app.add_option("--camera", options.camera, "The resolved camera as JSON")->type_name("FILE");
+  app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
+      ->check(CLI::Range(1, 4096));
+  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
+  app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");
+}
+
+}  // namespace
+
+void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& options) {
+  app.add_option("DEM", dems, "Elevation models in order of preference: anything GDAL opens")
+      ->required();
+  app.add_option("--a-srs", options.crs, "The DEMs' coordinate reference system, as EPSG:4326")
+      ->type_name("CRS");
+  add_parsed(
+      app, "--spacing",
+      [&](const std::string& text) {
+        const auto steps = parse_numbers("--spacing", text, 2, 3);
+        options.spacing = glm::dvec2(steps[0], steps[1]);
+        if (steps.size() == 3) options.height_factor = steps[2];
+      },
+      "Metres between posts (and per unit of height) of a grid without a place")
+      ->type_name("DX,DY[,DZ]");
+  app.add_option("--z-unit", options.height_unit, "Unit of the heights: m, ft, us-ft, cm, ...");
+  add_parsed(
+      app, "--window", [&](const std::string& text) { options.window = parse_window(text); },
+      "Read only this window, in posts")
+      ->type_name("COL,ROW,W,H");
+  app.add_option("-b,--band", options.band, "Band of the heights (default 1)");
+  app.add_option("--nodata", options.nodata, "The value that means no data");
+  app.add_option_function<std::string>(
+         "--voids", [&](const std::string& text) { options.fill_voids = text == "fill"; },
+         "Fill interior voids up to 32 posts across (default), or leave all open")
+      ->check(CLI::IsMember({"fill", "open"}))
+      ->type_name("fill|open");
+}
+
+void add_view_options(CLI::App& app, ViewOptions& options) {
+  add_dem_options(app, options.dems, options.dem);
+  add_place_options(app, options);
+  add_projection_options(app, options);
+  add_ground_options(app, options);
+  add_light_options(app, options);
+  add_output_options(app, options);
+}
+
+}  // namespace terrview

@@ -1,0 +1,65 @@
+// The options of `terrview view`: docs/cli.md, one field each.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "cli/parse.h"
+#include "ingest/dem.h"
+#include "ingest/view_frame.h"
+#include "render/camera.h"
+#include "render/scene.h"
+#include "sky/sun.h"
+
+namespace CLI {
+class App;
+}
+
+namespace terrview {
+
+struct ViewOptions {
+  std::vector<std::string> dems;
+  DemOptions dem;
+
+  std::optional<EyePlace> eye;
+  std::optional<Target> look_at;  // none: the centre of the first DEM
+  std::optional<double> heading_deg;
+  std::optional<double> pitch_deg;
+  std::optional<double> roll_deg;
+  std::optional<double> fov_deg;
+  std::optional<double> width_m;
+  std::optional<glm::ivec2> size_px;
+  std::optional<Projection> projection;
+  std::optional<EarthModel> earth;
+  std::optional<double> refraction;
+  std::optional<double> z_scale;
+  std::string from_camera;
+
+  SurfaceModel surface = SurfaceModel::hyperboloid;
+  NormalKind normals = NormalKind::smooth;
+  std::optional<SunPosition> sun;
+  bool no_shadows = false;
+  std::string colors;
+  int threads = 0;
+
+  std::string output;
+  std::string format;
+  std::map<std::string, std::string> creation;
+  bool overwrite = false;
+  std::string layers;
+  std::string stats;
+  std::string camera;
+  bool quiet = false;
+  bool progress = false;
+};
+
+// Adds the options that say how DEMs are read: shared by the commands that read any.
+void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& options);
+
+void add_view_options(CLI::App& app, ViewOptions& options);
+
+}  // namespace terrview

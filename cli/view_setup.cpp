@@ -1,0 +1,148 @@
+#include "cli/view_setup.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "ingest/color_ramp.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180;
+constexpr double kDegrees = 180 / std::numbers::pi;
+// Where nothing tells the latitude, the sun is that of the middle latitudes.
+constexpr double kUnknownLatitude_rad = 45 * kRadians;
+
+// A place and height to aim at, in the view frame.
+glm::dvec3 target_point(const Target& target, const ViewFrame& frame) {
+  const glm::dvec2 ground_m = target.geographic ? frame.to_ground(*target.geographic)
+                                                : frame.to_ground_from_projected(*target.projected);
+  const Terrain& terrain = *frame.terrain();
+  double scene_height_m = target.height.height_m * terrain.frame().z_scale;
+  if (target.height.above_ground) {
+    const auto ground = terrain.ground_at(ground_m);
+    if (!ground)
+      throw InputError("--look-at: there is no ground at that place: give its height too");
+    scene_height_m = ground->scene_height_m + target.height.height_m;
+  }
+  return {ground_m, terrain.frame().at(ground_m).z_m(scene_height_m)};
+}
+
+// The middle of the first DEM at the height of its ground, or the eye's where it has none.
+glm::dvec3 centre_of(const std::vector<Dem>& dems, const ViewFrame& frame) {
+  const HeightGrid& grid = *dems.front().grid;
+  const glm::dvec2 middle(0.5 * (grid.columns - 1), 0.5 * (grid.rows - 1));
+  const glm::dvec2 ground_m = frame.to_ground_from_projected(dems.front().placement.at(middle));
+  const VerticalFrame& vertical = frame.terrain()->frame();
+  const auto ground = frame.terrain()->ground_at(ground_m);
+  const double scene_height_m = ground ? ground->scene_height_m : vertical.eye_height_m;
+  return {ground_m, vertical.at(ground_m).z_m(scene_height_m)};
+}
+
+struct Aim {
+  double heading_deg;
+  double pitch_deg;
+};
+
+Aim aim_at(const glm::dvec3& point_m) {
+  const double ground_m = glm::length(glm::dvec2(point_m));
+  double heading_deg = std::atan2(point_m.x, point_m.y) * kDegrees;
+  if (heading_deg < 0) heading_deg += 360;
+  return {heading_deg, std::atan2(point_m.z, ground_m) * kDegrees};
+}
+
+Aim resolve_aim(const ViewOptions& options, const ViewFrame& frame, const std::vector<Dem>& dems) {
+  if (options.heading_deg) return {*options.heading_deg, options.pitch_deg.value_or(0)};
+  Aim aim =
+      aim_at(options.look_at ? target_point(*options.look_at, frame) : centre_of(dems, frame));
+  if (options.pitch_deg) aim.pitch_deg = *options.pitch_deg;
+  return aim;
+}
+
+}  // namespace
+
+void prepare(ViewOptions& options) {
+  if (!options.from_camera.empty()) apply_camera_file(options);
+  if (!options.eye) throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
+  if (options.earth == EarthModel::flat && options.refraction)
+    throw InputError("--refraction: light is straight over a flat Earth: leave it out");
+  if (options.refraction && std::abs(*options.refraction) > 1)
+    throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
+  if (options.z_scale && !(*options.z_scale > 0 && std::isfinite(*options.z_scale)))
+    throw InputError("--z-scale: give a number above 0");
+  if (options.projection == Projection::cylindrical) {
+    if (options.pitch_deg.value_or(0) != 0 || options.roll_deg.value_or(0) != 0)
+      throw InputError("--pitch, --roll: a cylindrical view is level: leave them out");
+    options.pitch_deg = 0;
+  }
+}
+
+ViewFrameOptions frame_options(const ViewOptions& options) {
+  ViewFrameOptions frame;
+  frame.earth = options.earth.value_or(frame.earth);
+  frame.refraction = options.refraction.value_or(frame.refraction);
+  frame.z_scale = options.z_scale.value_or(frame.z_scale);
+  frame.surface = options.surface;
+  return frame;
+}
+
+ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
+                          const std::vector<Dem>& dems) {
+  ResolvedView view;
+  view.eye = *options.eye;
+  view.eye.height_m = frame.eye().height_m;
+  view.eye.above_ground = false;
+  const Aim aim = resolve_aim(options, frame, dems);
+  view.heading_deg = aim.heading_deg;
+  view.pitch_deg = aim.pitch_deg;
+  view.roll_deg = options.roll_deg.value_or(view.roll_deg);
+  view.fov_deg = options.fov_deg.value_or(view.fov_deg);
+  view.width_m = options.width_m.value_or(view.width_m);
+  view.size_px = options.size_px.value_or(view.size_px);
+  view.projection = options.projection.value_or(view.projection);
+  const ViewFrameOptions placed = frame_options(options);
+  view.earth = placed.earth;
+  view.refraction = placed.refraction;
+  view.z_scale = placed.z_scale;
+  return view;
+}
+
+Camera make_camera(const ResolvedView& view) {
+  return Camera({.projection = view.projection,
+                 .heading_rad = view.heading_deg * kRadians,
+                 .pitch_rad = view.pitch_deg * kRadians,
+                 .roll_rad = view.roll_deg * kRadians,
+                 .fov_rad = view.fov_deg * kRadians,
+                 .width_m = view.width_m,
+                 .size_px = view.size_px});
+}
+
+SunPosition resolve_sun(const ViewOptions& options, const ViewFrame& frame) {
+  if (options.sun) return *options.sun;
+  const auto& place = frame.eye().geographic;
+  return summer_afternoon(place ? place->latitude_deg * kRadians : kUnknownLatitude_rad);
+}
+
+Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPosition& sun) {
+  Scene scene;
+  scene.terrain = frame.terrain();
+  scene.normals = options.normals;
+  scene.light.towards_sun = towards(sun);
+  scene.light.casts_shadows = !options.no_shadows;
+  if (!options.colors.empty()) {
+    double lowest_m = std::numeric_limits<double>::infinity();
+    double highest_m = -lowest_m;
+    for (const TerrainLayer& layer : scene.terrain->layers()) {
+      const HeightRange range = height_range(*layer.grid);
+      lowest_m = std::min<double>(lowest_m, range.lowest_m);
+      highest_m = std::max<double>(highest_m, range.highest_m);
+    }
+    scene.tints = read_color_ramp(options.colors, lowest_m, highest_m);
+  }
+  return scene;
+}
+
+}  // namespace terrview
