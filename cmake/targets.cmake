@@ -5,7 +5,8 @@ function(terrview_library folder)
   target_link_libraries(terrview_${folder} PUBLIC terrview_flags ${ARGN})
 endfunction()
 
-# terrview_test(<name> <folder of tests> <libraries...>): one test program per folder.
+# terrview_test(<name> <folder of tests> <libraries...>): one test program per folder. Test suites
+# whose names end in "Long" carry the ctest label `long`.
 function(terrview_test name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   if(NOT sources)
@@ -14,5 +15,8 @@ function(terrview_test name folder)
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE terrview_flags ${ARGN} rapidcheck GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TERRVIEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+  # The second pattern is that of typed suites, TracerLong/0.Name.
+  set(long "*Long.*:*Long/*.*")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_FILTER "-${long}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_FILTER "${long}" PROPERTIES LABELS long)
 endfunction()
