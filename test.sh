@@ -1,0 +1,23 @@
+#!/bin/bash
+# ./test.sh [--long] [--preset NAME] [CTEST ARGUMENT...]
+# Sets the machine up, builds the release preset (or NAME) and runs every test, with --long the long
+# ones too. Other arguments go to ctest: ./test.sh -R Tracer
+set -euo pipefail
+cd "$(dirname "$0")"
+
+preset=release
+which_tests=(--label-exclude '^long$')
+arguments=()
+while (($#)); do
+  case $1 in
+    --long) which_tests=() ;;
+    --preset) preset=${2:?which preset? see CMakePresets.json}; shift ;;
+    -h | --help) sed -n '2,4s/^# //p' "$0"; exit 0 ;;
+    *) arguments+=("$1") ;;
+  esac
+  shift
+done
+
+cmake/build.sh "$preset"
+ctest --test-dir "build/$preset" --output-on-failure --no-tests=error --parallel "$(nproc)" \
+  "${which_tests[@]}" "${arguments[@]}"
