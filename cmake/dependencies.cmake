@@ -2,8 +2,11 @@
 find_package(GDAL 3.6 CONFIG REQUIRED)
 find_package(PROJ 9.1 CONFIG REQUIRED)
 find_package(glm 0.9.9 CONFIG REQUIRED)
+# Debian's package speaks of Python bindings that it lacks, and its target names OpenCV's include
+# folder, which it does not depend on.
+set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
 find_package(OpenImageIO 2.4 CONFIG REQUIRED)
-# Debian's target names OpenCV's include folder, which its package does not depend on.
+unset(CMAKE_MESSAGE_LOG_LEVEL)
 if(NOT EXISTS /usr/include/opencv4)
   foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
     get_target_property(folders OpenImageIO::OpenImageIO ${property})
