@@ -60,8 +60,8 @@ Part plan_part(DemHeader header, const PostWindow& window) {
   part.target.flip_rows = step[1].y > 0;
   const glm::dvec2 first{part.target.flip_columns ? column + width - 1 : column,
                          part.target.flip_rows ? row + height - 1 : row};
-  if (part.target.flip_columns) step[0] = -step[0];
-  if (part.target.flip_rows) step[1] = -step[1];
+  if (part.target.flip_columns) step[0] = glm::dvec2(0) - step[0];
+  if (part.target.flip_rows) step[1] = glm::dvec2(0) - step[1];
   part.placement = {header.placement.at(first), step};
   part.header = std::move(header);
   return part;

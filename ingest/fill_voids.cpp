@@ -63,7 +63,9 @@ class VoidFinder {
       const glm::ivec2 seed = seeds_.back();
       seeds_.pop_back();
       if (!is_new(seed)) continue;
-      const auto [west, east] = take_run(seed);
+      int west = seed.x;
+      int east = seed.x;
+      take_run(seed.y, west, east);
       for (int x = west; x <= east; ++x) include(found, {x, seed.y});
       seed_row(seed.y - 1, west - 1, east + 1);
       seed_row(seed.y + 1, west - 1, east + 1);
@@ -72,13 +74,11 @@ class VoidFinder {
   }
 
  private:
-  glm::ivec2 take_run(glm::ivec2 post) {
-    int west = post.x;
-    int east = post.x;
-    while (west > 0 && is_new({west - 1, post.y})) --west;
-    while (east < size_.x - 1 && is_new({east + 1, post.y})) ++east;
-    for (int x = west; x <= east; ++x) seen_[mask_.index({x, post.y})] = true;
-    return {west, east};
+  // Widens [west, east] to the whole run of new posts.
+  void take_run(int row, int& west, int& east) {
+    while (west > 0 && is_new({west - 1, row})) --west;
+    while (east < size_.x - 1 && is_new({east + 1, row})) ++east;
+    for (int x = west; x <= east; ++x) seen_[mask_.index({x, row})] = true;
   }
 
   // One seed for each run of new posts that begins or lies within [west, east] of a row.
