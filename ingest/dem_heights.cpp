@@ -143,12 +143,8 @@ class BlockReader {
     const std::string reason = scope_.take_failure();
     if (error == CE_None && reason.empty()) return;
     const std::string& name = source_.header().name;
-    if (reason.find("Python") != std::string::npos) {
-      throw InputError(name +
-                       ": carries Python code, which is never run: make a plain file of it "
-                       "with gdal_translate first");
-    }
-    throw InputError(name + ": cannot be read to its end (" + reason + "): fetch it again");
+    throw InputError(name + ": cannot be read to its end (" + reason +
+                     "): fetch it again or convert it");
   }
 
   DemSource& source_;
@@ -184,6 +180,10 @@ std::string number_text(double number) {
   return text.str();
 }
 
+std::string posts_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " post" : " posts");
+}
+
 // Takes back the posts that hold a usual nodata number that stands alone.
 std::vector<std::string> drop_suspects(const std::string& name, const Tally& tally,
                                        const Converter& converter, const PostWindow& window,
@@ -200,7 +200,7 @@ std::vector<std::string> drop_suspects(const std::string& name, const Tally& tal
       }
     }
     const std::string number = number_text(kUsualNodata[i]);
-    warnings.push_back(name + ": " + std::to_string(tally.suspects[i]) + " posts hold " + number +
+    warnings.push_back(name + ": " + posts_text(tally.suspects[i]) + " of " + number +
                        ", taken as no data: say so with --nodata " + number +
                        ", or keep them by naming another number");
   }
@@ -208,7 +208,7 @@ std::vector<std::string> drop_suspects(const std::string& name, const Tally& tal
 }
 
 std::string warn_of_impossible(const std::string& name, const Tally& tally) {
-  return name + ": " + std::to_string(tally.impossible) + " posts are no heights (" +
+  return name + ": " + posts_text(tally.impossible) + " of no possible height (" +
          number_text(tally.first_impossible_m) + " m at column " +
          std::to_string(tally.first_impossible_post.x) + ", row " +
          std::to_string(tally.first_impossible_post.y) +

@@ -15,13 +15,14 @@ namespace {
 
 using GeoTransform = std::array<double, 6>;
 
-std::string in_failed_open(const std::string& path, const std::string& reason) {
+std::string why_unopened(const std::string& path, const std::string& reason) {
   VSIStatBufL status;
-  if (VSIStatL(path.c_str(), &status) == 0 && VSI_ISREG(status.st_mode) && status.st_size == 0) {
+  const bool exists = VSIStatL(path.c_str(), &status) == 0;
+  if (exists && VSI_ISREG(status.st_mode) && status.st_size == 0) {
     return path + ": the file is empty: fetch it again";
   }
-  if (reason.find("No such file") != std::string::npos ||
-      reason.find("does not exist") != std::string::npos) {
+  if (!exists && (reason.find("No such file") != std::string::npos ||
+                  reason.find("does not exist") != std::string::npos)) {
     return path + ": no such file: check the path";
   }
   if (reason.empty() || reason.find("not recognized as") != std::string::npos) {
@@ -33,8 +34,22 @@ std::string in_failed_open(const std::string& path, const std::string& reason) {
 GDALDataset* open_raster(const std::string& path, GdalScope& scope) {
   auto* dataset = GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR);
   const std::string reason = scope.take_failure();
-  if (dataset == nullptr) throw InputError(in_failed_open(path, reason));
+  if (dataset == nullptr) throw InputError(why_unopened(path, reason));
   return dataset;
+}
+
+// A VRT may carry code in its text; GDAL is told never to run it, here the user is told why.
+void refuse_code(GDALDataset& dataset, const std::string& path) {
+  const char* const* xml = dataset.GetMetadata("xml:VRT");
+  if (xml == nullptr || *xml == nullptr) return;
+  const std::string text = *xml;
+  if (text.find("PixelFunctionCode") == std::string::npos &&
+      text.find("PixelFunctionLanguage") == std::string::npos) {
+    return;
+  }
+  throw InputError(path +
+                   ": carries program code, which is never run: have it written out as a "
+                   "plain file by somebody who trusts it");
 }
 
 [[noreturn]] void refuse_container(GDALDataset& dataset, const std::string& path) {
@@ -200,6 +215,14 @@ std::optional<double> declared_nodata(GDALRasterBand& band) {
   return declared != 0 ? std::optional(nodata) : std::nullopt;
 }
 
+void warn_of_colours(DemHeader& header, GDALRasterBand& band) {
+  const GDALColorInterp meaning = band.GetColorInterpretation();
+  if (meaning == GCI_Undefined || meaning == GCI_GrayIndex) return;
+  header.warnings.push_back(header.name + ": band " + std::to_string(band.GetBand()) +
+                            " says it is " + GDALGetColorInterpretationName(meaning) +
+                            ", not heights: is this the DEM, and the band (-b)?");
+}
+
 HeightConversion find_conversion(GDALRasterBand& band, const DemOptions& options,
                                  const DemHeader& header) {
   HeightConversion conversion;
@@ -222,6 +245,7 @@ HeightConversion find_conversion(GDALRasterBand& band, const DemOptions& options
 DemSource::DemSource(const std::string& path, const DemOptions& options, GdalScope& scope)
     : dataset_(open_raster(path, scope), [](GDALDataset* open) { GDALClose(open); }) {
   header_.name = path;
+  refuse_code(*dataset_, path);
   band_ = find_band(*dataset_, options.band, path);
   header_.columns = dataset_->GetRasterXSize();
   header_.rows = dataset_->GetRasterYSize();
@@ -235,6 +259,7 @@ DemSource::DemSource(const std::string& path, const DemOptions& options, GdalSco
   check_extent(header_, options.spacing.has_value());
   settle_unit(header_, band_->GetUnitType(), crs, options);
   conversion_ = find_conversion(*band_, options, header_);
+  warn_of_colours(header_, *band_);
   for (const std::string& text : scope.take_warnings()) {
     header_.warnings.push_back(path + ": " + text);
   }

@@ -11,9 +11,10 @@ namespace terrview {
 namespace {
 
 // Key and value of settings that hold while a scope lives: no Python out of a VRT; the vertical
-// part of every GeoTIFF's CRS.
-constexpr std::array<std::array<const char*, 2>, 2> kSettings{
-    {{"GDAL_VRT_ENABLE_PYTHON", "NO"}, {"GTIFF_REPORT_COMPD_CS", "YES"}}};
+// part of every GeoTIFF's CRS; no rounding of an ASCII grid whose first numbers happen to be whole.
+constexpr std::array<std::array<const char*, 2>, 3> kSettings{{{"GDAL_VRT_ENABLE_PYTHON", "NO"},
+                                                               {"GTIFF_REPORT_COMPD_CS", "YES"},
+                                                               {"AAIGRID_DATATYPE", "Float64"}}};
 
 // GDAL's own default is a share of the machine's memory, which would stand beside the heights.
 constexpr GIntBig kBlockCache_bytes = 64 << 20;
@@ -29,11 +30,16 @@ void register_drivers() {
   static_cast<void>(once);
 }
 
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
-  return text;
+// Runs of blanks and control characters become one blank; none at the end, and no full stop.
+std::string one_line(const char* text) {
+  std::string line;
+  for (; *text != '\0'; ++text) {
+    const bool blank = static_cast<unsigned char>(*text) <= ' ';
+    if (!blank) line += *text;
+    if (blank && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  while (!line.empty() && (line.back() == ' ' || line.back() == '.')) line.pop_back();
+  return line;
 }
 
 }  // namespace
