@@ -1,0 +1,31 @@
+// GDAL made fit for a library: its drivers registered, its messages kept instead of printed, code
+// in files never run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace terrview {
+
+// While one lives, what GDAL reports in this thread is collected here.
+class GdalScope {
+ public:
+  GdalScope();
+  ~GdalScope();
+  GdalScope(const GdalScope&) = delete;
+  GdalScope& operator=(const GdalScope&) = delete;
+
+  // The first failure since the last call, in one line; empty = none.
+  [[nodiscard]] std::string take_failure();
+
+  // The different warnings since the last call, one line each.
+  [[nodiscard]] std::vector<std::string> take_warnings();
+
+ private:
+  static void collect(int severity, int number, const char* text);
+
+  std::vector<std::string> failures_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace terrview
