@@ -48,8 +48,6 @@ Context offline_context() {
 Object horizontal_part(PJ_CONTEXT* context, Object crs) {
   if (crs && proj_get_type(crs.get()) == PJ_TYPE_COMPOUND_CRS)
     crs.reset(proj_crs_get_sub_crs(context, crs.get(), 0));
-  if (crs && proj_get_type(crs.get()) == PJ_TYPE_GEOGRAPHIC_3D_CRS)
-    crs.reset(proj_crs_demote_to_2D(context, nullptr, crs.get()));
   return crs;
 }
 

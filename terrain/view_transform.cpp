@@ -74,4 +74,18 @@ glm::dvec3 direction_at(const VerticalFrame& frame, const glm::dvec3& view_m,
   return glm::normalize(glm::dvec3(d_s * outward + scale * across, d_z));
 }
 
+glm::dvec3 local_direction(const VerticalFrame& frame, const glm::dvec3& view_m,
+                           const glm::dvec3& true_direction) {
+  const double s = glm::length(glm::dvec2(view_m));
+  const double gamma = s * curvature_towards(frame, glm::dvec2(view_m));
+  if (gamma == 0) return true_direction;
+  const glm::dvec2 outward = glm::dvec2(view_m) / s;
+  const double d_rho = glm::dot(outward, glm::dvec2(true_direction));
+  const double sine = std::sin(gamma);
+  const double cosine = std::cos(gamma);
+  const double turned = cosine * d_rho - sine * true_direction.z;
+  return {glm::dvec2(true_direction) + (turned - d_rho) * outward,
+          sine * d_rho + cosine * true_direction.z};
+}
+
 }  // namespace terrview

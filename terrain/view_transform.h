@@ -27,4 +27,9 @@ namespace terrview {
 [[nodiscard]] glm::dvec3 direction_at(const VerticalFrame& frame, const glm::dvec3& view_m,
                                       const glm::dvec3& true_direction);
 
+// The same true direction in the local frame of Terrain::facet_normal() at `view_m`: x and y along
+// the view frame's axes, z along the plumb line there.
+[[nodiscard]] glm::dvec3 local_direction(const VerticalFrame& frame, const glm::dvec3& view_m,
+                                         const glm::dvec3& true_direction);
+
 }  // namespace terrview
