@@ -2,7 +2,8 @@
 //
 // Azimuth and distance on the ground of the view frame are those of the geodesic from the eye
 // (azimuthal equidistant map of the WGS 84 ellipsoid, GeographicLib: nanometres); heights follow
-// terrain/vertical_frame.h. A DEM without a CRS is flat: view-frame (x, y) = CRS (x, y) - eye.
+// terrain/vertical_frame.h. On a flat Earth every DEM is laid by its affine map at the eye. A DEM
+// without a CRS is flat: view-frame (x, y) = its (x, y) - eye.
 #pragma once
 
 #include <memory>
@@ -10,20 +11,15 @@
 #include <string>
 #include <vector>
 
-#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "ingest/crs_transform.h"
 #include "ingest/dem.h"
+#include "ingest/exact_ground_map.h"
 #include "terrain/terrain.h"
 
 namespace terrview {
-
-// Degrees only here: the door of the command line and of files.
-struct GeoPoint {
-  double latitude_deg;  // WGS 84
-  double longitude_deg;
-};
 
 enum class EarthModel { curved, flat };
 
@@ -41,13 +37,6 @@ struct EyePlace {
   std::optional<glm::dvec2> projected;
   double height_m = 0;
   bool above_ground = false;
-};
-
-// A coordinate operation between a DEM's CRS and WGS 84, as PROJ chose it.
-struct CrsOperation {
-  std::string dem;
-  std::string name;
-  std::optional<double> accuracy_m;  // nullopt = unknown
 };
 
 class ViewFrame {
@@ -71,7 +60,8 @@ class ViewFrame {
   [[nodiscard]] GeoPoint from_ground(glm::dvec2 ground_m) const;
   [[nodiscard]] glm::dvec2 projected_from_ground(glm::dvec2 ground_m) const;
 
-  // True east, north, up at the eye (metres, refraction taken out) of a view-frame point, and back.
+  // True east, north, up at the eye (metres, refraction taken out) of a view-frame point, and back:
+  // terrain/view_transform.h with this frame.
   [[nodiscard]] glm::dvec3 to_true_enu(const glm::dvec3& view_m) const;
   [[nodiscard]] glm::dvec3 from_true_enu(const glm::dvec3& enu_m) const;
 
@@ -84,7 +74,11 @@ class ViewFrame {
   };
   [[nodiscard]] const Eye& eye() const;
 
+  // One for each DEM that has a CRS.
   [[nodiscard]] const std::vector<CrsOperation>& operations() const;
+
+  // What the user should know, a line each: vertical datums that differ.
+  [[nodiscard]] const std::vector<std::string>& warnings() const;
 
   // Bounds of what the frame's approximations add: the tracks' distance from the true curve, and
   // the direction of a post (rad) within the terrain's reach.

@@ -1,0 +1,284 @@
+#include "ingest/view_frame.h"
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <GeographicLib/Constants.hpp>
+#include <glm/matrix.hpp>
+
+#include "terrain/error.h"
+#include "terrain/view_transform.h"
+
+namespace terrview {
+namespace {
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+struct Curvatures {
+  double north_per_m;
+  double east_per_m;
+};
+
+Curvatures curvatures_at(double latitude_deg) {
+  const double a = GeographicLib::Constants::WGS84_a();
+  const double f = GeographicLib::Constants::WGS84_f();
+  const double e2 = f * (2 - f);
+  const double sine = std::sin(latitude_deg / 180 * GeographicLib::Math::pi());
+  const double root = std::sqrt(1 - e2 * sine * sine);
+  return {root * root * root / (a * (1 - e2)), root / a};
+}
+
+// The middle and the corners of every block of an 8 x 8 division.
+std::vector<glm::dvec2> some_posts(const Dem& dem) {
+  constexpr int kDivisions = 8;
+  const glm::dvec2 last(dem.grid->columns - 1, dem.grid->rows - 1);
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i <= kDivisions; ++i)
+    for (int j = 0; j <= kDivisions; ++j)
+      points.push_back(dem.placement.at(last * glm::dvec2(i, j) / double{kDivisions}));
+  return points;
+}
+
+void check(const std::vector<Dem>& dems, const EyePlace& eye, const ViewFrameOptions& options) {
+  if (dems.empty()) throw InputError("no DEM: name at least one file");
+  if (!(options.z_scale > 0) || !std::isfinite(options.z_scale))
+    throw InputError("--z-scale " + format("%g", options.z_scale) + ": give a number above 0");
+  if (!std::isfinite(options.refraction))
+    throw InputError("--refraction: give a number, such as 0.13");
+  for (const Dem& dem : dems) {
+    if (dem.crs_wkt.empty() != dems[0].crs_wkt.empty())
+      throw InputError("'" + (dem.crs_wkt.empty() ? dem : dems[0]).name +
+                       "': no coordinate system, while another DEM has one: give one for all with "
+                       "--a-srs EPSG:CODE");
+    const double area = glm::determinant(dem.placement.step);
+    if (!std::isfinite(area) || area == 0)
+      throw InputError("'" + dem.name + "': its posts lie on a line: check its geotransform");
+  }
+  if (!std::isfinite(eye.height_m)) throw InputError("the eye's height is not a number");
+  if (eye.geographic) {
+    if (dems[0].crs_wkt.empty())
+      throw InputError("'" + dems[0].name +
+                       "': no coordinate system, so no latitude for the eye: " +
+                       "place it with --eye-xy, or give one with --a-srs EPSG:CODE");
+    if (!(std::abs(eye.geographic->latitude_deg) <= 90) ||
+        !std::isfinite(eye.geographic->longitude_deg))
+      throw InputError("the eye's latitude is not within 90 degrees: give LAT,LON in this order");
+  } else if (!eye.projected || !std::isfinite(eye.projected->x + eye.projected->y)) {
+    throw InputError("no place for the eye: give it with --eye or --eye-xy");
+  }
+}
+
+std::vector<std::string> find_warnings(const std::vector<Dem>& dems) {
+  std::vector<std::string> warnings;
+  const Dem* first = nullptr;
+  for (const Dem& dem : dems) {
+    if (dem.vertical_datum.empty()) continue;
+    if (first == nullptr) first = &dem;
+    if (dem.vertical_datum != first->vertical_datum)
+      warnings.push_back("'" + dem.name + "' has heights in " + dem.vertical_datum + ", '" +
+                         first->name + "' in " + first->vertical_datum +
+                         ": they are used as they are");
+  }
+  return warnings;
+}
+
+// A DEM and its place.
+struct Place {
+  std::shared_ptr<const HeightGrid> grid;
+  PostPlacement placement;
+  std::shared_ptr<const CrsTransform> crs;  // null = none
+};
+
+}  // namespace
+
+struct ViewFrame::Impl {
+  ViewFrameOptions options;
+  std::vector<Place> places;
+  std::vector<CrsOperation> operations;
+  std::vector<std::string> warnings;
+  Eye eye{};
+  bool curved = false;
+  glm::dmat2 flat_to_ground{1};  // flat Earth: from the first DEM's (x, y) less the eye's
+  std::shared_ptr<const Terrain> terrain;
+
+  void place_dems(const std::vector<Dem>& dems);
+  void place_eye(const EyePlace& place);
+  [[nodiscard]] std::string eye_text() const;
+  [[nodiscard]] ExactGroundMap exact_map(const Place& place) const {
+    return {*eye.geographic, place.crs, place.placement};
+  }
+  [[nodiscard]] glm::dvec2 projected(const GeoPoint& point) const;
+  [[nodiscard]] GeoPoint geographic(glm::dvec2 xy) const;
+  [[nodiscard]] TerrainLayer flat_layer(const Place& place) const;
+  [[nodiscard]] std::optional<double> ground_under_eye(const std::vector<TerrainLayer>& flat) const;
+  [[nodiscard]] VerticalFrame vertical_frame(const EyePlace& place);
+};
+
+void ViewFrame::Impl::place_dems(const std::vector<Dem>& dems) {
+  for (const Dem& dem : dems) {
+    Place place{dem.grid, dem.placement, nullptr};
+    if (!dem.crs_wkt.empty()) {
+      place.crs = std::make_shared<CrsTransform>(dem.name, dem.crs_wkt, some_posts(dem));
+      operations.push_back(place.crs->operation());
+    }
+    places.push_back(std::move(place));
+  }
+}
+
+glm::dvec2 ViewFrame::Impl::projected(const GeoPoint& point) const {
+  glm::dvec2 xy(point.longitude_deg, point.latitude_deg);
+  places[0].crs->from_geographic({&xy, 1});
+  if (const auto turn = places[0].crs->turn())
+    xy.x += *turn * std::round((places[0].placement.origin.x - xy.x) / *turn);
+  return xy;
+}
+
+GeoPoint ViewFrame::Impl::geographic(glm::dvec2 xy) const {
+  places[0].crs->to_geographic({&xy, 1});
+  return {xy.y, std::remainder(xy.x, 360.0)};
+}
+
+void ViewFrame::Impl::place_eye(const EyePlace& place) {
+  if (place.geographic) {
+    eye.geographic = place.geographic;
+    eye.geographic->longitude_deg = std::remainder(eye.geographic->longitude_deg, 360.0);
+    eye.projected = projected(*eye.geographic);
+  } else {
+    eye.projected = *place.projected;
+    if (places[0].crs) {
+      eye.geographic = geographic(eye.projected);
+      if (!std::isfinite(eye.geographic->latitude_deg))
+        throw InputError("the eye at " + eye_text() + " is nowhere on the Earth: check --eye-xy");
+    }
+  }
+}
+
+std::string ViewFrame::Impl::eye_text() const {
+  if (eye.geographic && std::isfinite(eye.geographic->latitude_deg))
+    return format("%.5f", eye.geographic->latitude_deg) + ", " +
+           format("%.5f", eye.geographic->longitude_deg);
+  return format("%.3f", eye.projected.x) + ", " + format("%.3f", eye.projected.y);
+}
+
+TerrainLayer ViewFrame::Impl::flat_layer(const Place& place) const {
+  const glm::ivec2 size(place.grid->columns, place.grid->rows);
+  if (!place.crs) {
+    const glm::dmat2 to_posts = glm::inverse(place.placement.step);
+    return {place.grid, std::make_shared<AffineGroundMap>(
+                            to_posts * (eye.projected - place.placement.origin), to_posts, size)};
+  }
+  ExactGroundMap exact = exact_map(place);
+  exact.set_near(glm::dvec2(size - 1) / 2.0);
+  return {place.grid, std::make_shared<AffineGroundMap>(exact.to_grid(glm::dvec2(0)),
+                                                        exact.jacobian(glm::dvec2(0)), size)};
+}
+
+std::optional<double> ViewFrame::Impl::ground_under_eye(
+    const std::vector<TerrainLayer>& flat) const {
+  const Terrain terrain_below(flat, {.z_scale = options.z_scale}, options.surface);
+  const auto ground = terrain_below.ground_at(glm::dvec2(0));
+  if (!ground) return std::nullopt;
+  return ground->scene_height_m / options.z_scale;
+}
+
+VerticalFrame ViewFrame::Impl::vertical_frame(const EyePlace& place) {
+  VerticalFrame frame{.z_scale = options.z_scale};
+  if (place.above_ground) {
+    if (!eye.ground_m)
+      throw InputError("no ground under the eye at " + eye_text() +
+                       ": give its height without a +, or move it over the DEM");
+    frame.eye_height_m = options.z_scale * *eye.ground_m + place.height_m;
+  } else {
+    frame.eye_height_m = options.z_scale * place.height_m;
+  }
+  eye.height_m = frame.eye_height_m / options.z_scale;
+  if (eye.ground_m && frame.eye_height_m < options.z_scale * *eye.ground_m)
+    throw InputError("the eye is " + format("%.3f", *eye.ground_m - eye.height_m) +
+                     " m under the ground, which at " + eye_text() + " is at " +
+                     format("%.3f", *eye.ground_m) +
+                     " m: raise it, or give +2 for two metres above the ground");
+  if (curved) {
+    const Curvatures curvatures = curvatures_at(eye.geographic->latitude_deg);
+    frame.north_curvature_per_m = curvatures.north_per_m;
+    frame.east_curvature_per_m = curvatures.east_per_m;
+    frame.refraction = options.refraction;
+  }
+  return frame;
+}
+
+ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
+                     const ViewFrameOptions& options)
+    : impl_(std::make_unique<Impl>()) {
+  check(dems, eye, options);
+  impl_->options = options;
+  impl_->warnings = find_warnings(dems);
+  impl_->place_dems(dems);
+  impl_->place_eye(eye);
+  impl_->curved = impl_->eye.geographic && options.earth == EarthModel::curved;
+
+  std::vector<TerrainLayer> flat;
+  for (const Place& place : impl_->places) flat.push_back(impl_->flat_layer(place));
+  impl_->eye.ground_m = impl_->ground_under_eye(flat);
+  const VerticalFrame frame = impl_->vertical_frame(eye);
+  if (!impl_->curved)
+    impl_->flat_to_ground =
+        glm::inverse(impl_->places[0].placement.step * flat[0].map->jacobian(glm::dvec2(0)));
+  impl_->terrain = std::make_shared<Terrain>(std::move(flat), frame, options.surface);
+}
+
+ViewFrame::~ViewFrame() = default;
+ViewFrame::ViewFrame(ViewFrame&&) noexcept = default;
+ViewFrame& ViewFrame::operator=(ViewFrame&&) noexcept = default;
+
+const std::shared_ptr<const Terrain>& ViewFrame::terrain() const { return impl_->terrain; }
+
+bool ViewFrame::is_geographic() const { return impl_->eye.geographic.has_value(); }
+
+glm::dvec2 ViewFrame::to_ground(const GeoPoint& point) const {
+  if (impl_->curved) return ground_from_geographic(*impl_->eye.geographic, point);
+  if (!is_geographic())
+    throw InputError(
+        "a latitude means nothing without a coordinate system: give one with "
+        "--a-srs EPSG:CODE, or the place in the DEM's own coordinates");
+  return impl_->flat_to_ground * (impl_->projected(point) - impl_->eye.projected);
+}
+
+glm::dvec2 ViewFrame::to_ground_from_projected(glm::dvec2 xy) const {
+  if (impl_->curved) return ground_from_geographic(*impl_->eye.geographic, impl_->geographic(xy));
+  return impl_->flat_to_ground * (xy - impl_->eye.projected);
+}
+
+GeoPoint ViewFrame::from_ground(glm::dvec2 ground_m) const {
+  if (impl_->curved) return geographic_from_ground(*impl_->eye.geographic, ground_m);
+  return impl_->geographic(projected_from_ground(ground_m));
+}
+
+glm::dvec2 ViewFrame::projected_from_ground(glm::dvec2 ground_m) const {
+  if (impl_->curved) return impl_->projected(from_ground(ground_m));
+  return impl_->eye.projected + glm::inverse(impl_->flat_to_ground) * ground_m;
+}
+
+glm::dvec3 ViewFrame::to_true_enu(const glm::dvec3& view_m) const {
+  return terrview::to_true_enu(impl_->terrain->frame(), view_m);
+}
+
+glm::dvec3 ViewFrame::from_true_enu(const glm::dvec3& enu_m) const {
+  return terrview::from_true_enu(impl_->terrain->frame(), enu_m);
+}
+
+const ViewFrame::Eye& ViewFrame::eye() const { return impl_->eye; }
+
+const std::vector<CrsOperation>& ViewFrame::operations() const { return impl_->operations; }
+
+const std::vector<std::string>& ViewFrame::warnings() const { return impl_->warnings; }
+
+double ViewFrame::track_error_cells() const { return 0; }
+
+double ViewFrame::direction_error_rad() const { return 0; }
+
+}  // namespace terrview
