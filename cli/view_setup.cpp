@@ -5,7 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "ingest/color_ramp.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -132,16 +131,6 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
   scene.normals = options.normals;
   scene.light.towards_sun = towards(sun);
   scene.light.casts_shadows = !options.no_shadows;
-  if (!options.colors.empty()) {
-    double lowest_m = std::numeric_limits<double>::infinity();
-    double highest_m = -lowest_m;
-    for (const TerrainLayer& layer : scene.terrain->layers()) {
-      const HeightRange range = height_range(*layer.grid);
-      lowest_m = std::min<double>(lowest_m, range.lowest_m);
-      highest_m = std::max<double>(highest_m, range.highest_m);
-    }
-    scene.tints = read_color_ramp(options.colors, lowest_m, highest_m);
-  }
   return scene;
 }
 
