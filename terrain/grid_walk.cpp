@@ -170,6 +170,48 @@ void GridWalk::fill(Span& span, const Crossing& out) const {
   }
 }
 
+void GridWalk::stop_outside() {
+  // A straight piece leaves a rectangle once: the next entry is on a later piece.
+  if (!next_piece()) last_.g_m = kNever;
+}
+
+std::optional<GridWalk::BlockExit> GridWalk::block_exit(int level) const {
+  const glm::ivec2 first((cell_.x >> level) << level, (cell_.y >> level) << level);
+  const int side = 1 << level;
+  const glm::ivec2 after(std::min(first.x + side, grid_.columns - 1),
+                         std::min(first.y + side, grid_.rows - 1));
+  // The same arithmetic as nearest_line(), so that the walk goes on from the same numbers.
+  const auto leaves = [&](int low, int high, double start, double rate) {
+    if (rate == 0) return kNever;
+    return piece_.begin_m + ((rate > 0 ? high : low) - start) / rate;
+  };
+  const double column_m = leaves(first.x, after.x, piece_.start.x, piece_.rate.x);
+  const double row_m = leaves(first.y, after.y, piece_.start.y, piece_.rate.y);
+  const double g_m = std::max(last_.g_m, std::min(column_m, row_m));
+  if (!(g_m <= piece_.end_m)) return std::nullopt;
+  return BlockExit{g_m, column_m <= row_m};
+}
+
+void GridWalk::skip(int level, const BlockExit& exit) {
+  const glm::ivec2 first((cell_.x >> level) << level, (cell_.y >> level) << level);
+  const int side = 1 << level;
+  const glm::ivec2 last(std::min(first.x + side, grid_.columns - 1) - 1,
+                        std::min(first.y + side, grid_.rows - 1) - 1);
+  const glm::dvec2 uv = piece_.at(exit.g_m);
+  // The block's last cell on the way, through whose edge the line leaves it.
+  const auto edge_cell = [](int low, int high, double rate) { return rate > 0 ? high : low; };
+  if (exit.over_column)
+    cell_ = {edge_cell(first.x, last.x, piece_.rate.x),
+             std::clamp(static_cast<int>(std::floor(uv.y)), first.y, last.y)};
+  else
+    cell_ = {std::clamp(static_cast<int>(std::floor(uv.x)), first.x, last.x),
+             edge_cell(first.y, last.y, piece_.rate.y)};
+  const Event event{exit.g_m, exit.over_column ? Line::column : Line::row};
+  last_ = crossing(event);
+  cross(event.line);
+  if (!inside_) stop_outside();
+}
+
 bool GridWalk::next(Span& span) {
   if (!inside_ && !enter()) return false;
   while (true) {
@@ -179,8 +221,7 @@ bool GridWalk::next(Span& span) {
       fill(span, out);
       cross(event.line);
       last_ = out;
-      // A straight piece leaves a rectangle once: the next entry is on a later piece.
-      if (!inside_ && !next_piece()) last_.g_m = kNever;
+      if (!inside_) stop_outside();
       return true;
     }
     const bool finished = piece_.end_m >= to_m_;

@@ -6,6 +6,8 @@
 // the two cells it parts, so no ray slips between them.
 #pragma once
 
+#include <optional>
+
 #include <glm/vec2.hpp>
 
 #include "terrain/ground_map.h"
@@ -48,6 +50,23 @@ class GridWalk {
   // without a gap while the line is over the grid; a bent line may leave and come back.
   [[nodiscard]] bool next(Span& span);
 
+  // Skipping. Where the walk stands, once it is over the grid (enters it if need be); false when
+  // the line has left the grid for good.
+  [[nodiscard]] bool over_grid() { return inside_ || enter(); }
+  [[nodiscard]] glm::ivec2 cell() const { return cell_; }
+  [[nodiscard]] double position_m() const { return last_.g_m; }
+
+  // Where the line leaves the block of 2^level x 2^level cells around cell().
+  struct BlockExit {
+    double g_m;
+    bool over_column;  // through a column line; else through a row line
+  };
+  // nullopt if the track's piece ends before.
+  [[nodiscard]] std::optional<BlockExit> block_exit(int level) const;
+
+  // Goes on at the exit of the block, as if every cell of it had been walked.
+  void skip(int level, const BlockExit& exit);
+
  private:
   // A linear piece of the track: uv(g) = start + rate * (g - begin).
   struct Piece {
@@ -70,6 +89,7 @@ class GridWalk {
   void stand_at(double g_m, glm::dvec2 uv);
   [[nodiscard]] Event nearest_line() const;
   void cross(Line line);
+  void stop_outside();
   [[nodiscard]] Crossing crossing(const Event& event) const;
   [[nodiscard]] Crossing inside_point(double g_m, glm::dvec2 uv) const;
   void fill(Span& span, const Crossing& out) const;

@@ -72,15 +72,13 @@ HeightPyramid::Level HeightPyramid::coarser(const Level& fine) {
   return level;
 }
 
-int HeightPyramid::last_level() const {
-  return kFirstLevel + static_cast<int>(levels_.size()) - 1;
-}
+int HeightPyramid::last_level() const { return kFirstLevel + static_cast<int>(levels_.size()) - 1; }
 
 const HeightPyramid::Range& HeightPyramid::block(int level, glm::ivec2 cell) const {
   const Level& blocks = levels_[static_cast<std::size_t>(level - kFirstLevel)];
-  return blocks.blocks[static_cast<std::size_t>(cell.y >> level) *
-                           static_cast<std::size_t>(blocks.columns) +
-                       static_cast<std::size_t>(cell.x >> level)];
+  return blocks
+      .blocks[static_cast<std::size_t>(cell.y >> level) * static_cast<std::size_t>(blocks.columns) +
+              static_cast<std::size_t>(cell.x >> level)];
 }
 
 }  // namespace terrview

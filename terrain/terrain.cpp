@@ -27,7 +27,8 @@ void check(const HeightGrid& grid, const HeightRange& range) {
 
 }  // namespace
 
-Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model)
+Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model,
+                 Search search)
     : layers_(std::move(layers)),
       frame_(frame),
       model_(model),
@@ -39,12 +40,16 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
     reach_m_ = std::max(reach_m_, layer.map->reach_m());
     ceiling_m_ = std::max(ceiling_m_,
                           frame_.ceiling_m(frame_.z_scale * range.highest_m, layer.map->reach_m()));
+    if (search == Search::pyramid) pyramids_.emplace_back(*layer.grid);
   }
 }
 
 std::optional<Hit> Terrain::first_hit(const Ray& ray, TraceCounts* counts) const {
   const Trace found = trace(*this, ceiling_m_, ray);
-  if (counts) counts->tests += found.tests;
+  if (counts) {
+    counts->tests += found.counts.tests;
+    counts->nodes += found.counts.nodes;
+  }
   if (found.outcome != Outcome::hit) return std::nullopt;
   return found.hit;
 }

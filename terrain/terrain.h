@@ -32,6 +32,7 @@
 
 #include "terrain/ground_map.h"
 #include "terrain/height_grid.h"
+#include "terrain/height_pyramid.h"
 #include "terrain/ray.h"
 #include "terrain/surface_model.h"
 #include "terrain/vertical_frame.h"
@@ -44,9 +45,16 @@ struct TerrainLayer {
   std::shared_ptr<const GroundMap> map;
 };
 
+// How rays find their hits. All give the same hits, bit for bit.
+enum class Search {
+  plain,    // every cell on the way: the reference
+  pyramid,  // blocks of cells that lie below the ray are skipped
+};
+
 // The work of a query.
 struct TraceCounts {
   std::int64_t tests = 0;  // spans of ground compared with the ray
+  std::int64_t nodes = 0;  // blocks of the pyramid compared with it
 };
 
 // Immutable, so threads may share one.
@@ -54,7 +62,8 @@ class Terrain {
  public:
   // `layers` in order of preference. Throws InputError if a grid is smaller than 2 x 2 posts or has
   // no height at all.
-  Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model);
+  Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model,
+          Search search = Search::pyramid);
 
   // The first point of the ground that `ray` meets from above; nullopt if there is none, or if the
   // ray begins below the ground, or ends at an edge below it.
@@ -88,12 +97,15 @@ class Terrain {
   [[nodiscard]] const std::vector<TerrainLayer>& layers() const { return layers_; }
   [[nodiscard]] const VerticalFrame& frame() const { return frame_; }
   [[nodiscard]] SurfaceModel model() const { return model_; }
+  // One pyramid a layer; none where the search is plain.
+  [[nodiscard]] const std::vector<HeightPyramid>& pyramids() const { return pyramids_; }
   [[nodiscard]] double reach_m() const { return reach_m_; }
 
  private:
   std::vector<TerrainLayer> layers_;
   VerticalFrame frame_;
   SurfaceModel model_;
+  std::vector<HeightPyramid> pyramids_;
   double reach_m_;    // no ground further from the eye
   double ceiling_m_;  // no ground above this z
 };

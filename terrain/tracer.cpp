@@ -14,6 +14,20 @@ namespace {
 // A ray this near to the vertical moves sideways by less than rounding.
 constexpr double kVertical = 1e-12;
 
+constexpr int kNoGrid = -1;
+
+// Larger than the rounding of a clearance, as a share of the numbers it comes from.
+constexpr double kRounding = 1e-12;
+
+// dz/dh changes by less than this over one cell: 2 h / R for relief of 3000 m.
+constexpr double kSlopeChange = 1e-3;
+
+// Where the search of a layer's pyramid stands.
+struct BlockSearch {
+  int level = HeightPyramid::kFirstLevel - 1;  // of the last block skipped
+  glm::ivec2 met{-1, -1};                      // the block of the first level being walked
+};
+
 // Where `line` leaves the disc of `reach_m` about the eye; negative if it never enters it.
 double leaves_disc_m(const GroundLine& line, double reach_m) {
   const double along = glm::dot(line.origin_m, line.direction);
@@ -63,16 +77,69 @@ class Tracer {
     }
     const TerrainLayer& layer = terrain_.layers()[index];
     GridWalk walk(*layer.grid, *layer.map, terrain_.model(), line_, from_m, to_m);
+    BlockSearch search;
     Span span;
     double covered_m = from_m;
-    while (walk.next(span)) {
-      if (slope_ >= 0 && ray_z(span.in.g_m) > ceiling_m_) return false;
+    const auto cover_gap = [&](double until_m) {
+      return until_m <= covered_m || walk_layer(index + 1, covered_m, until_m);
+    };
+    while (walk.over_grid()) {
+      if (slope_ >= 0 && ray_z(walk.position_m()) > ceiling_m_) return false;
+      if (const auto exit = clear_block(index, walk, search, to_m)) {
+        if (!cover_gap(walk.position_m())) return false;
+        walk.skip(search.level, *exit);
+        // A block without holes is ground that the ray is above.
+        on_ground_ = true;
+        grid_of_last_ = kNoGrid;
+        covered_m = last_m_ = exit->g_m;
+        continue;
+      }
+      if (!walk.next(span)) break;
       if (!span.has_ground) continue;
-      if (span.in.g_m > covered_m && !walk_layer(index + 1, covered_m, span.in.g_m)) return false;
+      if (!cover_gap(span.in.g_m)) return false;
       if (!cross_span(static_cast<int>(index), span)) return false;
       covered_m = span.out.g_m;
     }
     return covered_m >= to_m || walk_layer(index + 1, covered_m, to_m);
+  }
+
+  // The exit of the largest block ahead, up to one level above the last, that the ray clears.
+  std::optional<GridWalk::BlockExit> clear_block(std::size_t index, const GridWalk& walk,
+                                                 BlockSearch& search, double to_m) {
+    if (terrain_.pyramids().empty()) return std::nullopt;
+    constexpr int kFirst = HeightPyramid::kFirstLevel;
+    const HeightPyramid& pyramid = terrain_.pyramids()[index];
+    const glm::ivec2 block(walk.cell().x >> kFirst, walk.cell().y >> kFirst);
+    if (block == search.met) return std::nullopt;
+    search.level = std::min(search.level + 1, pyramid.last_level());
+    for (; search.level >= kFirst; --search.level) {
+      ++trace_.counts.nodes;
+      const auto exit = walk.block_exit(search.level);
+      if (exit && exit->g_m < to_m &&
+          clears(pyramid.block(search.level, walk.cell()), walk.position_m(), exit->g_m))
+        return exit;
+    }
+    search.met = block;
+    return std::nullopt;
+  }
+
+  // Whether the ray stays above everything in a block between two points of its line. Errs only in
+  // saying no.
+  [[nodiscard]] bool clears(const HeightPyramid::Range& range, double from_m, double to_m) const {
+    const bool has_holes = std::isinf(range.lowest_m);
+    // Another layer may fill the holes.
+    if (has_holes && terrain_.layers().size() > 1) return false;
+    if (std::isinf(range.highest_m)) return true;
+    const VerticalFrame& frame = terrain_.frame();
+    const double highest_m = frame.z_scale * range.highest_m;
+    const double ceiling_m = frame.ceiling_between(highest_m, line_.at(from_m), line_.at(to_m));
+    const double lowest_ray_m = std::min(ray_z(from_m), ray_z(to_m));
+    double slack_m = kRounding * (std::abs(highest_m) + std::abs(frame.eye_height_m) +
+                                  std::abs(ray_.origin_m.z) + std::abs(lowest_ray_m));
+    // The parabola of a bilinear patch takes dz/dh from one end of the span.
+    if (terrain_.model() == SurfaceModel::bilinear)
+      slack_m += kSlopeChange * frame.z_scale * (range.highest_m - range.lowest_m);
+    return lowest_ray_m > ceiling_m + slack_m;
   }
 
   // How far the ray is above the surface at a crossing.
@@ -86,7 +153,7 @@ class Tracer {
     const bool continues = on_ground_ && grid == grid_of_last_ && span.in.g_m == last_m_;
     const double in = continues ? last_clearance_ : clearance(span.in);
     const double out = clearance(span.out);
-    ++trace_.tests;
+    ++trace_.counts.tests;
     const bool was_on_ground = on_ground_ && span.in.g_m == last_m_;
     on_ground_ = true;
     grid_of_last_ = grid;
@@ -128,7 +195,7 @@ class Tracer {
   Trace trace_;
   // The end of the last span over ground.
   bool on_ground_ = false;
-  int grid_of_last_ = -1;
+  int grid_of_last_ = kNoGrid;
   double last_m_ = 0;
   double last_clearance_ = 0;
 };
@@ -138,10 +205,11 @@ Trace trace_vertical(const Terrain& terrain, const Ray& ray) {
   if (!ground) return {};
   const double z_m = terrain.frame().at(glm::dvec2(ray.origin_m)).z_m(ground->scene_height_m);
   const double clearance_m = ray.origin_m.z - z_m;
-  if (clearance_m < 0) return {Outcome::below, {}, 1};
+  if (clearance_m < 0) return {Outcome::below, {}, {.tests = 1}};
   if (ray.direction.z > 0 || clearance_m > ray.length_m) return {};
   const glm::dvec3 position(ray.origin_m.x, ray.origin_m.y, z_m);
-  return {Outcome::hit, {clearance_m, position, ground->grid, ground->cell, ground->uv}, 1};
+  return {
+      Outcome::hit, {clearance_m, position, ground->grid, ground->cell, ground->uv}, {.tests = 1}};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-// One ray through the layers of a Terrain: the plain walk, cell by cell, in double precision.
+// One ray through the layers of a Terrain, cell by cell in double precision; where the Terrain has
+// pyramids, blocks that lie wholly below the ray are skipped, which changes no result.
 #pragma once
-
-#include <cstdint>
 
 #include "terrain/ray.h"
 #include "terrain/terrain.h"
@@ -17,7 +16,7 @@ enum class Outcome {
 struct Trace {
   Outcome outcome = Outcome::free;
   Hit hit{};  // where outcome is hit
-  std::int64_t tests = 0;
+  TraceCounts counts;
 };
 
 // `ceiling_m`: no ground lies above this z.

@@ -50,6 +50,36 @@ VerticalFrame::Column VerticalFrame::at(glm::dvec2 ground_m) const {
   return {drop, inverse_sinc(gamma2), curvature, eye_height_m};
 }
 
+double VerticalFrame::ceiling_between(double scene_height_m, glm::dvec2 a_m, glm::dvec2 b_m) const {
+  const double above_eye_m = scene_height_m - eye_height_m;
+  if (north_curvature_per_m == 0 && east_curvature_per_m == 0) return above_eye_m;
+  const auto s2_over_r = [&](glm::dvec2 p, glm::dvec2 q) {
+    return p.x * q.x * east_curvature_per_m + p.y * q.y * north_curvature_per_m;
+  };
+  // s^2 / R is convex along the segment: largest at an end, least at an end or between them.
+  const glm::dvec2 step = b_m - a_m;
+  const double at_a = s2_over_r(a_m, a_m);
+  const double at_b = s2_over_r(b_m, b_m);
+  double least = std::min(at_a, at_b);
+  const double slope_at_a = s2_over_r(a_m, step);
+  const double bend = s2_over_r(step, step);
+  if (slope_at_a < 0 && slope_at_a + bend > 0)
+    least = std::max(0.0, at_a - slope_at_a * slope_at_a / bend);
+
+  const double low_curvature = std::min(north_curvature_per_m, east_curvature_per_m);
+  const double high_curvature = std::max(north_curvature_per_m, east_curvature_per_m);
+  const bool shrink_least = (above_eye_m > 0) == (scene_height_m > 0);
+  const double w =
+      above_eye_m / (1 + (shrink_least ? low_curvature : high_curvature) * scene_height_m);
+  const double drop = least * (refraction - 1) / 2;
+  if (w <= 0) return drop + w;
+  const double gamma2 = std::max(at_a, at_b) * high_curvature;
+  // The rest of the series stays below 0.0225 gamma^4 where gamma < 1.
+  const double stretch =
+      gamma2 < 1 ? 1 + gamma2 * (1.0 / 6 + 0.0225 * gamma2) : inverse_sinc(gamma2);
+  return drop + stretch * w;
+}
+
 double VerticalFrame::ceiling_m(double scene_height_m, double reach_m) const {
   const double gamma = reach_m * std::max(north_curvature_per_m, east_curvature_per_m);
   const double far_stretch = inverse_sinc(gamma * gamma);

@@ -63,6 +63,10 @@ struct VerticalFrame {
   // The column above the ground point (x, y) of the view frame.
   [[nodiscard]] Column at(glm::dvec2 ground_m) const;
 
+  // An upper bound (but for rounding) of z for scene heights up to `scene_height_m` above the
+  // ground segment from `a_m` to `b_m`. Needs refraction <= 1.
+  [[nodiscard]] double ceiling_between(double scene_height_m, glm::dvec2 a_m, glm::dvec2 b_m) const;
+
   // An upper bound of z for scene heights up to `scene_height_m`, within `reach_m` of the eye.
   [[nodiscard]] double ceiling_m(double scene_height_m, double reach_m) const;
 };
