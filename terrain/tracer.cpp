@@ -37,14 +37,17 @@ double leaves_disc_m(const GroundLine& line, double reach_m) {
   return -along + std::sqrt(discriminant);
 }
 
-// The first root in (0, 1] of above + (below - above) t + bend t (1 - t), above > 0; 2 if none.
+// The first root in [0, 1] of above + (below - above) t + bend t (1 - t) where it turns negative,
+// above >= 0; 2 if none. Of the two forms of the root, each where it loses no digits.
 double first_root(double above, double below, double bend) {
   if (bend == 0) return below <= 0 ? above / (above - below) : 2;
   const double b = below - above + bend;
   const double discriminant = b * b + 4 * bend * above;
   if (discriminant < 0) return below <= 0 ? 1 : 2;
-  const double divisor = -b + std::sqrt(discriminant);
-  const double root = divisor > 0 ? 2 * above / divisor : 2;
+  const double root_term = std::sqrt(discriminant);
+  double root = 2;
+  if (b < 0) root = 2 * above / (root_term - b);
+  if (b >= 0 && bend > 0) root = (b + root_term) / (2 * bend);
   return below <= 0 ? std::min(root, 1.0) : (root <= 1 ? root : 2);
 }
 
@@ -84,7 +87,10 @@ class Tracer {
       return until_m <= covered_m || walk_layer(index + 1, covered_m, until_m);
     };
     while (walk.over_grid()) {
-      if (slope_ >= 0 && ray_z(walk.position_m()) > ceiling_m_) return false;
+      if (slope_ >= 0 && ray_z(walk.position_m()) > ceiling_m_) {
+        static_cast<void>(cover_gap(walk.position_m()));
+        return false;
+      }
       if (const auto exit = clear_block(index, walk, search, to_m)) {
         if (!cover_gap(walk.position_m())) return false;
         walk.skip(search.level, *exit);
@@ -166,7 +172,7 @@ class Tracer {
     }
     // Coming from ground that it was above, a ray below this ground meets the step between them.
     if (in < 0 || (in == 0 && out <= 0)) return stop(grid, span, 0);
-    const double share = first_root(in, out, in > 0 ? bend(span) : 0);
+    const double share = first_root(in, out, bend(span));
     return share > 1 || stop(grid, span, share);
   }
 

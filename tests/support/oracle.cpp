@@ -1,0 +1,274 @@
+#include "tests/support/oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace terrview::oracle {
+namespace {
+
+struct Uv {
+  Real u, v;
+};
+
+// A place where the track crosses a line of the grid, or begins or ends.
+struct Crossing {
+  Real t;
+  Uv uv;
+};
+
+// The track of a ray over one grid: a polyline.
+struct Track {
+  std::vector<Crossing> knots;
+
+  [[nodiscard]] Uv at(Real t) const {
+    std::size_t end = 1;
+    while (end + 1 < knots.size() && knots[end].t < t) ++end;
+    const Crossing& a = knots[end - 1];
+    const Crossing& b = knots[end];
+    const Real share = b.t > a.t ? (t - a.t) / (b.t - a.t) : 0;
+    return {a.uv.u + (b.uv.u - a.uv.u) * share, a.uv.v + (b.uv.v - a.uv.v) * share};
+  }
+};
+
+// A part of a ray, by the distance along it.
+struct Part {
+  Real from_t, to_t;
+};
+
+Real ground_run(const Ray& ray) {
+  return std::hypot(static_cast<Real>(ray.direction.x), static_cast<Real>(ray.direction.y));
+}
+
+// As far as the ray may meet ground: to its end, or to where it leaves the disc of `reach_m`.
+Part whole(const Ray& ray, Real reach_m) {
+  const Real x = ray.origin_m.x;
+  const Real y = ray.origin_m.y;
+  const Real run = ground_run(ray);
+  const Real length = ray.length_m;
+  if (run == 0) return {0, std::min(length, 4 * (std::fabs(Real(ray.origin_m.z)) + 1e31L))};
+  const Real along = (x * ray.direction.x + y * ray.direction.y) / run;
+  const Real chord2 = along * along + reach_m * reach_m - x * x - y * y;
+  if (chord2 < 0) return {0, -1};
+  return {0, std::min(length, (std::sqrt(chord2) - along) / run)};
+}
+
+Crossing knot(const GroundMap& map, const GroundLine& line, double g_m, Real run, Shift shift) {
+  const glm::dvec2 uv = map.to_grid(line.at(g_m));
+  return {run > 0 ? g_m / run : 0, {uv.x + shift.u, uv.y + shift.v}};
+}
+
+Track track_of(const GroundMap& map, const Ray& ray, Part part, Shift shift) {
+  const Real run = ground_run(ray);
+  GroundLine line;
+  line.origin_m = {ray.origin_m.x, ray.origin_m.y};
+  if (run > 0)
+    line.direction = {static_cast<double>(ray.direction.x / run),
+                      static_cast<double>(ray.direction.y / run)};
+  auto g_m = static_cast<double>(part.from_t * run);
+  const auto limit_m = static_cast<double>(part.to_t * run);
+  Track track{{knot(map, line, g_m, run, shift)}};
+  while (g_m < limit_m) {
+    const double next_m = map.piece_end_m(line, g_m, limit_m);
+    if (!(next_m > g_m && next_m <= limit_m)) throw std::logic_error("a piece must go forward");
+    track.knots.push_back(knot(map, line, next_m, run, shift));
+    g_m = next_m;
+  }
+  if (track.knots.size() == 1) track.knots.push_back(track.knots.front());
+  // Parts of one ray meet exactly.
+  track.knots.front().t = part.from_t;
+  track.knots.back().t = part.to_t;
+  return track;
+}
+
+// Adds the crossings of the piece a b with the lines f = 0, 1, ... last, where f goes from fa to
+// fb. `snap` puts a point exactly onto its line.
+template <class Snap>
+void add_crossings(std::vector<Crossing>& out, const Crossing& a, const Crossing& b, Real fa,
+                   Real fb, int first, int last, const Snap& snap) {
+  if (fa == fb) return;
+  const Real lowest = std::max(std::ceil(std::min(fa, fb)), static_cast<Real>(first));
+  const Real highest = std::min(std::floor(std::max(fa, fb)), static_cast<Real>(last));
+  for (Real line = lowest; line <= highest; ++line) {
+    const Real share = (line - fa) / (fb - fa);
+    const Uv uv{a.uv.u + (b.uv.u - a.uv.u) * share, a.uv.v + (b.uv.v - a.uv.v) * share};
+    out.push_back({a.t + (b.t - a.t) * share, snap(uv, line)});
+  }
+}
+
+std::vector<Crossing> crossings_of(const Track& track, const HeightGrid& grid, SurfaceModel model) {
+  std::vector<Crossing> out{track.knots.front()};
+  for (std::size_t i = 1; i < track.knots.size(); ++i) {
+    const Crossing& a = track.knots[i - 1];
+    const Crossing& b = track.knots[i];
+    add_crossings(out, a, b, a.uv.u, b.uv.u, 0, grid.columns - 1, [](Uv uv, Real line) {
+      return Uv{line, uv.v};
+    });
+    add_crossings(out, a, b, a.uv.v, b.uv.v, 0, grid.rows - 1, [](Uv uv, Real line) {
+      return Uv{uv.u, line};
+    });
+    if (model == SurfaceModel::triangles)
+      add_crossings(out, a, b, a.uv.u - a.uv.v, b.uv.u - b.uv.v, 1 - grid.rows, grid.columns - 1,
+                    [](Uv uv, Real line) {
+                      return Uv{uv.v + line, uv.v};
+                    });
+    if (model == SurfaceModel::bilinear || i + 1 == track.knots.size()) out.push_back(b);
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+  return out;
+}
+
+Real height(const HeightGrid& grid, int column, int row) {
+  return grid.heights_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+                        static_cast<std::size_t>(column)];
+}
+
+bool has_ground(const HeightGrid& grid, glm::ivec2 cell) {
+  for (const int row : {cell.y, cell.y + 1})
+    for (const int column : {cell.x, cell.x + 1})
+      if (std::isnan(height(grid, column, row))) return false;
+  return true;
+}
+
+// The cell of a point; the last line of the grid belongs to the last cell. False outside the grid.
+bool find_cell(const HeightGrid& grid, Uv uv, glm::ivec2& cell) {
+  if (!(uv.u >= 0 && uv.v >= 0 && uv.u <= grid.columns - 1 && uv.v <= grid.rows - 1)) return false;
+  cell = {std::min(static_cast<int>(uv.u), grid.columns - 2),
+          std::min(static_cast<int>(uv.v), grid.rows - 2)};
+  return has_ground(grid, cell);
+}
+
+// 1 / R along the azimuth of a ground point, by Euler's formula.
+Real curvature_per_m(const VerticalFrame& frame, Real x_m, Real y_m) {
+  const Real s = std::hypot(x_m, y_m);
+  if (s == 0) return frame.north_curvature_per_m;
+  const Real east = x_m / s;
+  const Real north = y_m / s;
+  return north * north * frame.north_curvature_per_m + east * east * frame.east_curvature_per_m;
+}
+
+Real stretch(Real gamma) { return gamma > 0 ? gamma / std::sin(gamma) : 1; }
+
+struct LayerView {
+  const Terrain& terrain;
+  const Ray& ray;
+  const HeightGrid& grid;
+
+  [[nodiscard]] Real z_at(Real t, glm::ivec2 cell, Uv uv) const {
+    const VerticalFrame& frame = terrain.frame();
+    const Real h = scene_height_m(grid, terrain.model(), cell, uv.u, uv.v, frame.z_scale);
+    return z_m(frame, ray.origin_m.x + ray.direction.x * t * moves(),
+               ray.origin_m.y + ray.direction.y * t * moves(), h);
+  }
+
+  // A vertical ray's t says nothing about where it stands.
+  [[nodiscard]] Real moves() const { return ground_run(ray) > 0 ? 1 : 0; }
+
+  // The bilinear patch's height in the middle over the chord's, times dz/dh where the span begins.
+  [[nodiscard]] Real bulge_m(const Crossing& a, const Crossing& b, glm::ivec2 cell) const {
+    const Real twist = height(grid, cell.x, cell.y) - height(grid, cell.x + 1, cell.y) -
+                       height(grid, cell.x, cell.y + 1) + height(grid, cell.x + 1, cell.y + 1);
+    const VerticalFrame& frame = terrain.frame();
+    const Real h = scene_height_m(grid, terrain.model(), cell, a.uv.u, a.uv.v, frame.z_scale);
+    return -twist * frame.z_scale * (b.uv.u - a.uv.u) * (b.uv.v - a.uv.v) / 4 *
+           z_per_height(frame, ray.origin_m.x + ray.direction.x * a.t * moves(),
+                        ray.origin_m.y + ray.direction.y * a.t * moves(), h);
+  }
+};
+
+std::vector<Span> spans_of(const Terrain& terrain, const Ray& ray, std::size_t layer, Part part,
+                           Shift shift) {
+  const TerrainLayer& here = terrain.layers()[layer];
+  const LayerView view{terrain, ray, *here.grid};
+  const Track track = track_of(*here.map, ray, part, shift);
+  const std::vector<Crossing> crossings = crossings_of(track, *here.grid, terrain.model());
+  const bool is_point = part.from_t == part.to_t;
+  std::vector<Span> spans;
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    const Crossing& a = crossings[i - 1];
+    const Crossing& b = crossings[i];
+    if (a.t == b.t && !is_point) continue;
+    glm::ivec2 cell;
+    if (!find_cell(*here.grid, track.at((a.t + b.t) / 2), cell)) continue;
+    const Real bulge =
+        terrain.model() == SurfaceModel::bilinear ? view.bulge_m(a, b, cell) : Real{0};
+    spans.push_back({a.t, b.t, view.z_at(a.t, cell, a.uv), view.z_at(b.t, cell, b.uv), bulge,
+                     static_cast<int>(layer), cell});
+    if (is_point) break;
+  }
+  return spans;
+}
+
+// The spans of `layer`, and where it has no ground those of the layers after it.
+void add_spans(std::vector<Span>& out, const Terrain& terrain, const Ray& ray, std::size_t layer,
+               Part part, Shift shift) {
+  if (layer == terrain.layers().size()) return;
+  Real covered_t = part.from_t;
+  bool is_covered = false;
+  for (const Span& span : spans_of(terrain, ray, layer, part, shift)) {
+    if (span.from_t > covered_t)
+      add_spans(out, terrain, ray, layer + 1, {covered_t, span.from_t}, shift);
+    out.push_back(span);
+    covered_t = span.to_t;
+    is_covered = true;
+  }
+  if (covered_t < part.to_t || !is_covered)
+    add_spans(out, terrain, ray, layer + 1, {covered_t, part.to_t}, shift);
+}
+
+}  // namespace
+
+Real z_m(const VerticalFrame& frame, Real x_m, Real y_m, Real scene_height_m) {
+  const Real s = std::hypot(x_m, y_m);
+  const Real curvature = curvature_per_m(frame, x_m, y_m);
+  const Real gamma = s * curvature;
+  const Real drop = -s * std::tan(gamma / 2) + frame.refraction * s * gamma / 2;
+  return drop +
+         stretch(gamma) * (scene_height_m - frame.eye_height_m) / (1 + curvature * scene_height_m);
+}
+
+Real z_per_height(const VerticalFrame& frame, Real x_m, Real y_m, Real scene_height_m) {
+  const Real curvature = curvature_per_m(frame, x_m, y_m);
+  const Real shrink = 1 + curvature * scene_height_m;
+  return stretch(std::hypot(x_m, y_m) * curvature) * (1 + curvature * frame.eye_height_m) /
+         (shrink * shrink);
+}
+
+Real scene_height_m(const HeightGrid& grid, SurfaceModel model, glm::ivec2 cell, Real u, Real v,
+                    Real z_scale) {
+  const Real p = u - cell.x;
+  const Real q = v - cell.y;
+  const Real h00 = height(grid, cell.x, cell.y);
+  const Real h10 = height(grid, cell.x + 1, cell.y);
+  const Real h01 = height(grid, cell.x, cell.y + 1);
+  const Real h11 = height(grid, cell.x + 1, cell.y + 1);
+  if (model == SurfaceModel::triangles) {
+    const Real h =
+        p > q ? h00 + (h10 - h00) * p + (h11 - h10) * q : h00 + (h11 - h01) * p + (h01 - h00) * q;
+    return h * z_scale;
+  }
+  return z_scale * ((1 - p) * (1 - q) * h00 + p * (1 - q) * h10 + (1 - p) * q * h01 + p * q * h11);
+}
+
+Real Span::z_at(Real t) const {
+  const Real share = to_t > from_t ? (t - from_t) / (to_t - from_t) : 0;
+  return from_z_m + (to_z_m - from_z_m) * share + 4 * bulge_m * share * (1 - share);
+}
+
+Real Profile::clearance_m(const Span& span, Real t) const {
+  return ray_z_m + ray_slope * t - span.z_at(t);
+}
+
+bool Profile::continues(std::size_t span) const {
+  return span > 0 && spans[span - 1].to_t == spans[span].from_t;
+}
+
+Profile profile(const Terrain& terrain, const Ray& ray, Shift shift_cells) {
+  Profile out{ray.origin_m.z, ray.direction.z, ground_run(ray), {}};
+  const Part part = whole(ray, terrain.reach_m());
+  if (part.to_t >= 0) add_spans(out.spans, terrain, ray, 0, part, shift_cells);
+  return out;
+}
+
+}  // namespace terrview::oracle
