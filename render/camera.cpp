@@ -58,13 +58,12 @@ Ray Camera::ray(glm::dvec2 image_px) const {
   switch (options_.projection) {
     case Projection::perspective: {
       const double k = std::tan(options_.fov_rad / 2) / (size.x / 2);
-      return {{0, 0, 0}, glm::normalize(forward_ + right_ * (right_px * k) + up_ * (up_px * k))};
+      return {{0, 0, 0}, forward_ + right_ * (right_px * k) + up_ * (up_px * k)};
     }
     case Projection::cylindrical: {
       const double per_px = options_.fov_rad / size.x;
       const double azimuth = options_.heading_rad + right_px * per_px;
-      return {{0, 0, 0},
-              glm::normalize(glm::dvec3(std::sin(azimuth), std::cos(azimuth), up_px * per_px))};
+      return {{0, 0, 0}, {std::sin(azimuth), std::cos(azimuth), up_px * per_px}};
     }
     case Projection::orthographic: {
       const double per_px = options_.width_m / size.x;

@@ -34,7 +34,10 @@ class Camera {
   // Throws InputError for a field of view, size or width that makes no picture.
   explicit Camera(const CameraOptions& options);
 
-  // The ray through a point of the image: pixel (i, j) has its centre at (i + 0.5, j + 0.5).
+  // The ray through a point of the image: pixel (i, j) has its centre at (i + 0.5, j + 0.5). Its
+  // direction is not of unit length: where columns of the image are vertical planes (cylindrical,
+  // and perspective without pitch and roll) x and y are equal, bit for bit, along a column, and z
+  // along a row.
   [[nodiscard]] Ray ray(glm::dvec2 image_px) const;
 
   // Where a point of the view frame falls on the image; nullopt behind the camera.

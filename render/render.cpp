@@ -18,7 +18,7 @@ namespace {
 
 glm::vec3 sky_color(const SkyGradient& sky, const glm::dvec3& direction) {
   // The square root spends most of the gradient near the horizon, as the air does.
-  const double height = std::sqrt(std::max(0.0, direction.z));
+  const double height = std::sqrt(std::max(0.0, glm::normalize(direction).z));
   return glm::mix(sky.horizon, sky.zenith, static_cast<float>(height));
 }
 

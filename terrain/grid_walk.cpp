@@ -16,14 +16,15 @@ double lerp_heights(float from_m, float to_m, double share) {
   return from + share * (to_m - from);
 }
 
-// Narrows [low, high] to where start + rate * (g - begin) lies within [0, last].
-void clip(double start, double rate, double begin, double last, double& low, double& high) {
-  if (rate == 0) {
+// Narrows [low, high] to where the piece's coordinate along `axis` lies within [0, last].
+void clip(const TrackPiece& piece, int axis, double last, double& low, double& high) {
+  const double start = piece.start[axis];
+  if (piece.rate[axis] == 0) {
     if (start < 0 || start > last) high = -kNever;
     return;
   }
-  const double at_first = begin + (0 - start) / rate;
-  const double at_last = begin + (last - start) / rate;
+  const double at_first = piece.begin_m + (0 - start) * piece.metres[axis];
+  const double at_last = piece.begin_m + (last - start) * piece.metres[axis];
   low = std::max(low, std::min(at_first, at_last));
   high = std::min(high, std::max(at_first, at_last));
 }
@@ -54,21 +55,18 @@ double height_at(const HeightGrid& grid, SurfaceModel model, glm::ivec2 cell, gl
 
 GridWalk::GridWalk(const HeightGrid& grid, const GroundMap& map, SurfaceModel model,
                    const GroundLine& line, double from_m, double to_m)
-    : grid_(grid), map_(map), model_(model), ground_line_(line), to_m_(to_m) {
-  load_piece(from_m, map.to_grid(line.at(from_m)));
+    : grid_(grid),
+      map_(map),
+      model_(model),
+      ground_line_(line),
+      to_m_(to_m),
+      piece_(track_piece(map, line, from_m, map.to_grid(line.at(from_m)), to_m)) {
   last_.g_m = from_m;
-}
-
-void GridWalk::load_piece(double begin_m, glm::dvec2 start) {
-  const double end_m = begin_m < to_m_ ? map_.piece_end_m(ground_line_, begin_m, to_m_) : begin_m;
-  const glm::dvec2 end = map_.to_grid(ground_line_.at(end_m));
-  const glm::dvec2 rate = end_m > begin_m ? (end - start) / (end_m - begin_m) : glm::dvec2(0);
-  piece_ = {begin_m, end_m, start, end, rate};
 }
 
 bool GridWalk::next_piece() {
   if (piece_.end_m >= to_m_) return false;
-  load_piece(piece_.end_m, piece_.end);
+  piece_ = track_piece(map_, ground_line_, piece_.end_m, piece_.end, to_m_);
   return true;
 }
 
@@ -76,8 +74,8 @@ bool GridWalk::enter() {
   do {
     double low = std::max(piece_.begin_m, last_.g_m);
     double high = piece_.end_m;
-    clip(piece_.start.x, piece_.rate.x, piece_.begin_m, grid_.columns - 1, low, high);
-    clip(piece_.start.y, piece_.rate.y, piece_.begin_m, grid_.rows - 1, low, high);
+    clip(piece_, 0, grid_.columns - 1, low, high);
+    clip(piece_, 1, grid_.rows - 1, low, high);
     if (low <= high) {
       stand_at(low, piece_.at(low));
       return true;
@@ -100,17 +98,19 @@ void GridWalk::stand_at(double g_m, glm::dvec2 uv) {
 GridWalk::Event GridWalk::nearest_line() const {
   const glm::dvec2& rate = piece_.rate;
   Event event{kNever, Line::none};
-  const auto consider = [&](double distance, double speed, Line line) {
-    const double g_m = std::max(last_.g_m, piece_.begin_m + distance / speed);
+  const auto consider = [&](double posts, double metres_per_post, Line line) {
+    const double g_m = std::max(last_.g_m, piece_.begin_m + posts * metres_per_post);
     if (g_m < event.g_m) event = {g_m, line};
   };
-  if (rate.x != 0) consider(next_line(cell_.x, rate.x) - piece_.start.x, rate.x, Line::column);
-  if (rate.y != 0) consider(next_line(cell_.y, rate.y) - piece_.start.y, rate.y, Line::row);
+  if (rate.x != 0)
+    consider(next_line(cell_.x, rate.x) - piece_.start.x, piece_.metres.x, Line::column);
+  if (rate.y != 0)
+    consider(next_line(cell_.y, rate.y) - piece_.start.y, piece_.metres.y, Line::row);
   if (model_ == SurfaceModel::triangles) {
     const double turn = rate.x - rate.y;
     if (north_east_ ? turn < 0 : turn > 0) {
       const double offset = (piece_.start.x - cell_.x) - (piece_.start.y - cell_.y);
-      consider(-offset, turn, Line::diagonal);
+      consider(-offset, 1 / turn, Line::diagonal);
     }
   }
   return event;
@@ -181,12 +181,14 @@ std::optional<GridWalk::BlockExit> GridWalk::block_exit(int level) const {
   const glm::ivec2 after(std::min(first.x + side, grid_.columns - 1),
                          std::min(first.y + side, grid_.rows - 1));
   // The same arithmetic as nearest_line(), so that the walk goes on from the same numbers.
-  const auto leaves = [&](int low, int high, double start, double rate) {
+  const auto leaves = [&](int axis) {
+    const double rate = piece_.rate[axis];
     if (rate == 0) return kNever;
-    return piece_.begin_m + ((rate > 0 ? high : low) - start) / rate;
+    const double line = rate > 0 ? after[axis] : first[axis];
+    return piece_.begin_m + (line - piece_.start[axis]) * piece_.metres[axis];
   };
-  const double column_m = leaves(first.x, after.x, piece_.start.x, piece_.rate.x);
-  const double row_m = leaves(first.y, after.y, piece_.start.y, piece_.rate.y);
+  const double column_m = leaves(0);
+  const double row_m = leaves(1);
   const double g_m = std::max(last_.g_m, std::min(column_m, row_m));
   if (!(g_m <= piece_.end_m)) return std::nullopt;
   return BlockExit{g_m, column_m <= row_m};

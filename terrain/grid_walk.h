@@ -13,6 +13,7 @@
 #include "terrain/ground_map.h"
 #include "terrain/height_grid.h"
 #include "terrain/surface_model.h"
+#include "terrain/track_piece.h"
 
 namespace terrview {
 
@@ -68,22 +69,12 @@ class GridWalk {
   void skip(int level, const BlockExit& exit);
 
  private:
-  // A linear piece of the track: uv(g) = start + rate * (g - begin).
-  struct Piece {
-    double begin_m;
-    double end_m;
-    glm::dvec2 start;
-    glm::dvec2 end;
-    glm::dvec2 rate;
-    [[nodiscard]] glm::dvec2 at(double g_m) const { return start + rate * (g_m - begin_m); }
-  };
   enum class Line { none, column, row, diagonal };
   struct Event {
     double g_m;
     Line line;
   };
 
-  void load_piece(double begin_m, glm::dvec2 start);
   [[nodiscard]] bool next_piece();
   [[nodiscard]] bool enter();
   void stand_at(double g_m, glm::dvec2 uv);
@@ -99,7 +90,7 @@ class GridWalk {
   SurfaceModel model_;
   GroundLine ground_line_;
   double to_m_;
-  Piece piece_{};
+  TrackPiece piece_;
   glm::ivec2 cell_{};
   bool inside_ = false;
   bool has_ground_ = false;

@@ -10,7 +10,7 @@ namespace terrview {
 
 struct Ray {
   glm::dvec3 origin_m{0, 0, 0};
-  glm::dvec3 direction{0, 1, 0};  // unit length
+  glm::dvec3 direction{0, 1, 0};  // of any length but 0
   double length_m = std::numeric_limits<double>::infinity();
 };
 

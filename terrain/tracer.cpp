@@ -51,6 +51,16 @@ double first_root(double above, double below, double bend) {
   return below <= 0 ? std::min(root, 1.0) : (root <= 1 ? root : 2);
 }
 
+// The slope of a ray over its ground line; rays with equal horizontal parts share the line.
+double ray_slope(const Ray& ray) {
+  return ray.direction.z / glm::length(glm::dvec2(ray.direction));
+}
+
+GroundLine ground_line(const Ray& ray) {
+  const glm::dvec2 across(ray.direction);
+  return {glm::dvec2(ray.origin_m), across / glm::length(across)};
+}
+
 // The walk of one ray, which is z = z0 + slope * g over its ground line.
 class Tracer {
  public:
@@ -58,12 +68,13 @@ class Tracer {
       : terrain_(terrain),
         ceiling_m_(ceiling_m),
         ray_(ray),
-        run_(glm::length(glm::dvec2(ray.direction))),
-        line_{glm::dvec2(ray.origin_m), glm::dvec2(ray.direction) / run_},
-        slope_(ray.direction.z / run_) {}
+        line_(ground_line(ray)),
+        slope_(ray_slope(ray)),
+        metres_per_g_(std::hypot(1.0, slope_)) {}
 
   Trace run() {
-    const double end_m = std::min(leaves_disc_m(line_, terrain_.reach_m()), ray_.length_m * run_);
+    const double end_m =
+        std::min(leaves_disc_m(line_, terrain_.reach_m()), ray_.length_m / metres_per_g_);
     if (end_m >= 0) walk_layer(0, 0, end_m);
     return trace_;
   }
@@ -185,7 +196,7 @@ class Tracer {
 
   bool stop(int grid, const Span& span, double share) {
     const double g_m = span.in.g_m + share * (span.out.g_m - span.in.g_m);
-    const double distance_m = g_m / run_;
+    const double distance_m = g_m * metres_per_g_;
     trace_.outcome = Outcome::hit;
     trace_.hit = {distance_m, glm::dvec3(line_.at(g_m), ray_z(g_m)), grid, span.cell,
                   span.in.uv + share * (span.out.uv - span.in.uv)};
@@ -195,9 +206,9 @@ class Tracer {
   const Terrain& terrain_;
   double ceiling_m_;
   const Ray& ray_;
-  double run_;  // ground metres per metre of ray
   GroundLine line_;
-  double slope_;
+  double slope_;         // dz / dg
+  double metres_per_g_;  // along the ray, per metre of ground
   Trace trace_;
   // The end of the last span over ground.
   bool on_ground_ = false;
@@ -221,7 +232,8 @@ Trace trace_vertical(const Terrain& terrain, const Ray& ray) {
 }  // namespace
 
 Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray) {
-  if (glm::length(glm::dvec2(ray.direction)) < kVertical) return trace_vertical(terrain, ray);
+  if (glm::length(glm::dvec2(ray.direction)) < kVertical * std::abs(ray.direction.z))
+    return trace_vertical(terrain, ray);
   return Tracer(terrain, ceiling_m, ray).run();
 }
 

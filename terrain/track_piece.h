@@ -1,0 +1,27 @@
+// A linear piece of a ray's track over a grid.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "terrain/ground_map.h"
+
+namespace terrview {
+
+// uv(g) = start + rate * (g - begin) for g in [begin, end].
+struct TrackPiece {
+  double begin_m;
+  double end_m;
+  glm::dvec2 start;
+  glm::dvec2 end;
+  glm::dvec2 rate;    // posts per metre; 0 where the line runs along a grid line
+  glm::dvec2 metres;  // 1 / rate; 0 where rate is 0
+
+  [[nodiscard]] glm::dvec2 at(double g_m) const { return start + rate * (g_m - begin_m); }
+};
+
+// The piece of `line` that begins at `begin_m`, where the grid is at `start`, and ends at `to_m` at
+// the latest.
+[[nodiscard]] TrackPiece track_piece(const GroundMap& map, const GroundLine& line, double begin_m,
+                                     glm::dvec2 start, double to_m);
+
+}  // namespace terrview
