@@ -5,6 +5,7 @@ find_package(glm 0.9.9 CONFIG REQUIRED)
 # Debian's package speaks of Python bindings that it lacks, and its target names OpenCV's include
 # folder, which it does not depend on.
 set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
+find_package(hwy 1.0 CONFIG REQUIRED)
 find_package(OpenImageIO 2.4 CONFIG REQUIRED)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 if(NOT EXISTS /usr/include/opencv4)

@@ -56,6 +56,8 @@ class GridWalk {
   [[nodiscard]] bool over_grid() { return inside_ || enter(); }
   [[nodiscard]] glm::ivec2 cell() const { return cell_; }
   [[nodiscard]] double position_m() const { return last_.g_m; }
+  [[nodiscard]] const Crossing& position() const { return last_; }
+  [[nodiscard]] const TrackPiece& piece() const { return piece_; }
 
   // Where the line leaves the block of 2^level x 2^level cells around cell().
   struct BlockExit {

@@ -40,9 +40,10 @@ struct HeightGrid {
 struct HeightRange {
   float lowest_m;
   float highest_m;
+  bool has_holes;  // some post has no height
 };
 
-// The range of the heights of `grid`; both are NaN where no post has a height.
+// The range of the heights of `grid`; NaN where no post has a height.
 [[nodiscard]] HeightRange height_range(const HeightGrid& grid);
 
 }  // namespace terrview

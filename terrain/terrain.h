@@ -99,15 +99,20 @@ class Terrain {
   [[nodiscard]] SurfaceModel model() const { return model_; }
   // One pyramid a layer; none where the search is plain.
   [[nodiscard]] const std::vector<HeightPyramid>& pyramids() const { return pyramids_; }
+  // No ground lies further from the eye, or above this z.
   [[nodiscard]] double reach_m() const { return reach_m_; }
+  [[nodiscard]] double ceiling_m() const { return ceiling_m_; }
+  // Whether some post of some layer has no height.
+  [[nodiscard]] bool has_holes() const { return has_holes_; }
 
  private:
   std::vector<TerrainLayer> layers_;
   VerticalFrame frame_;
   SurfaceModel model_;
   std::vector<HeightPyramid> pyramids_;
-  double reach_m_;    // no ground further from the eye
-  double ceiling_m_;  // no ground above this z
+  double reach_m_;
+  double ceiling_m_;
+  bool has_holes_;
 };
 
 }  // namespace terrview

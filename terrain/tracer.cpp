@@ -28,15 +28,6 @@ struct BlockSearch {
   glm::ivec2 met{-1, -1};                      // the block of the first level being walked
 };
 
-// Where `line` leaves the disc of `reach_m` about the eye; negative if it never enters it.
-double leaves_disc_m(const GroundLine& line, double reach_m) {
-  const double along = glm::dot(line.origin_m, line.direction);
-  const double away2 = glm::dot(line.origin_m, line.origin_m) - reach_m * reach_m;
-  const double discriminant = along * along - away2;
-  if (discriminant < 0) return -1;
-  return -along + std::sqrt(discriminant);
-}
-
 // The first root in [0, 1] of above + (below - above) t + bend t (1 - t) where it turns negative,
 // above >= 0; 2 if none. Of the two forms of the root, each where it loses no digits.
 double first_root(double above, double below, double bend) {
@@ -49,16 +40,6 @@ double first_root(double above, double below, double bend) {
   if (b < 0) root = 2 * above / (root_term - b);
   if (b >= 0 && bend > 0) root = (b + root_term) / (2 * bend);
   return below <= 0 ? std::min(root, 1.0) : (root <= 1 ? root : 2);
-}
-
-// The slope of a ray over its ground line; rays with equal horizontal parts share the line.
-double ray_slope(const Ray& ray) {
-  return ray.direction.z / glm::length(glm::dvec2(ray.direction));
-}
-
-GroundLine ground_line(const Ray& ray) {
-  const glm::dvec2 across(ray.direction);
-  return {glm::dvec2(ray.origin_m), across / glm::length(across)};
 }
 
 // The walk of one ray, which is z = z0 + slope * g over its ground line.
@@ -230,6 +211,23 @@ Trace trace_vertical(const Terrain& terrain, const Ray& ray) {
 }
 
 }  // namespace
+
+double leaves_disc_m(const GroundLine& line, double reach_m) {
+  const double along = glm::dot(line.origin_m, line.direction);
+  const double away2 = glm::dot(line.origin_m, line.origin_m) - reach_m * reach_m;
+  const double discriminant = along * along - away2;
+  if (discriminant < 0) return -1;
+  return -along + std::sqrt(discriminant);
+}
+
+double ray_slope(const Ray& ray) {
+  return ray.direction.z / glm::length(glm::dvec2(ray.direction));
+}
+
+GroundLine ground_line(const Ray& ray) {
+  const glm::dvec2 across(ray.direction);
+  return {glm::dvec2(ray.origin_m), across / glm::length(across)};
+}
 
 Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray) {
   if (glm::length(glm::dvec2(ray.direction)) < kVertical * std::abs(ray.direction.z))

@@ -19,6 +19,14 @@ struct Trace {
   TraceCounts counts;
 };
 
+// The ground line of a ray that is not vertical, and its slope dz/dg. Rays whose directions have
+// equal x and y share the line.
+[[nodiscard]] GroundLine ground_line(const Ray& ray);
+[[nodiscard]] double ray_slope(const Ray& ray);
+
+// Where `line` leaves the disc of `reach_m` about the eye; negative if it never enters it.
+[[nodiscard]] double leaves_disc_m(const GroundLine& line, double reach_m);
+
 // `ceiling_m`: no ground lies above this z.
 [[nodiscard]] Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray);
 

@@ -1,38 +1,35 @@
 #include "terrain/vertical_frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+
+#include "terrain/vertical_math.h"
 
 namespace terrview {
 namespace {
 
-// Below this gamma^2 (about 640 km) the truncated series are right to 1e-15.
-constexpr double kSeriesLimit = 0.01;
+// Horner's rule, the order of operations that every form of the series shares.
+double series(const std::array<double, 6>& coefficients, double x) {
+  double sum = coefficients[5];
+  for (std::size_t i = 5; i-- > 0;) sum = coefficients[i] + x * sum;
+  return sum;
+}
 
 // tan(gamma / 2) / gamma, a function of gamma^2.
 double half_tangent(double gamma2) {
-  if (gamma2 > kSeriesLimit) {
-    const double gamma = std::sqrt(gamma2);
-    return std::tan(gamma / 2) / gamma;
-  }
-  return 1.0 / 2 +
-         gamma2 * (1.0 / 24 +
-                   gamma2 * (1.0 / 240 +
-                             gamma2 * (17.0 / 40320 +
-                                       gamma2 * (31.0 / 725760 + gamma2 * (691.0 / 159667200)))));
+  if (gamma2 <= kSeriesLimit) return series(kHalfTangent, gamma2);
+  const double gamma = std::sqrt(gamma2);
+  return std::tan(gamma / 2) / gamma;
 }
 
 // gamma / sin(gamma), a function of gamma^2.
 double inverse_sinc(double gamma2) {
-  if (gamma2 > kSeriesLimit) {
-    const double gamma = std::sqrt(gamma2);
-    return gamma / std::sin(gamma);
-  }
-  return 1 + gamma2 * (1.0 / 6 +
-                       gamma2 * (7.0 / 360 +
-                                 gamma2 * (31.0 / 15120 +
-                                           gamma2 * (127.0 / 604800 + gamma2 * (73.0 / 3421440)))));
+  if (gamma2 <= kSeriesLimit) return series(kInverseSinc, gamma2);
+  const double gamma = std::sqrt(gamma2);
+  return gamma / std::sin(gamma);
 }
 
 }  // namespace
