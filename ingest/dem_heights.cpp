@@ -175,7 +175,7 @@ class Destination {
 
 std::string number_text(double number) {
   std::ostringstream text;
-  text.precision(9);
+  text.precision(6);
   text << number;
   return text.str();
 }

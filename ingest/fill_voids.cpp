@@ -125,14 +125,13 @@ std::unique_ptr<GDALDataset> over_memory(std::vector<Value>& values, glm::ivec2 
   return dataset;
 }
 
-// The void and as much around it as GDAL looks at: every post of a void has heights within its
-// extent in all four directions.
+// The void and as much around it as GDAL looks at.
 class Patch {
  public:
   Patch(const HeightGrid& grid, const VoidMask& mask, const Void& hole)
-      : reach_(std::max(hole.last.x - hole.first.x, hole.last.y - hole.first.y) + 1) {
-    first_ = glm::max(hole.first - reach_, glm::ivec2(0));
-    size_ = glm::min(hole.last + reach_, glm::ivec2(grid.columns - 1, grid.rows - 1)) - first_ + 1;
+      : first_(glm::max(hole.first - kFillReach_posts, glm::ivec2(0))) {
+    const glm::ivec2 last(grid.columns - 1, grid.rows - 1);
+    size_ = glm::min(hole.last + kFillReach_posts, last) - first_ + 1;
     for (int y = 0; y < size_.y; ++y) {
       for (int x = 0; x < size_.x; ++x) {
         const glm::ivec2 post = first_ + glm::ivec2(x, y);
@@ -147,8 +146,9 @@ class Patch {
     const auto heights = over_memory(heights_m_, size_, GDT_Float32);
     const auto valid = over_memory(valid_, size_, GDT_Byte);
     const char* const options[] = {"TEMP_FILE_DRIVER=MEM", nullptr};
-    const CPLErr error = GDALFillNodata(heights->GetRasterBand(1), valid->GetRasterBand(1), reach_,
-                                        0, 0, const_cast<char**>(options), nullptr, nullptr);
+    const CPLErr error =
+        GDALFillNodata(heights->GetRasterBand(1), valid->GetRasterBand(1), kFillReach_posts, 0, 0,
+                       const_cast<char**>(options), nullptr, nullptr);
     if (error != CE_None) throw std::runtime_error("GDALFillNodata failed");
     heights->FlushCache(false);
   }
@@ -160,7 +160,6 @@ class Patch {
   }
 
  private:
-  int reach_;
   glm::ivec2 first_;
   glm::ivec2 size_;
   std::vector<float> heights_m_;

@@ -1,0 +1,76 @@
+// Small rasters that tests write themselves, and what reading them says.
+#pragma once
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ingest/dem.h"
+
+namespace terrview {
+
+// An empty folder that lives as long as this.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] std::string operator/(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+struct TestRaster {
+  int columns = 5;
+  int rows = 4;
+  int bands = 1;
+  GDALDataType type = GDT_Float32;
+  std::function<double(int column, int row)> number = [](int column, int row) {
+    return 100.0 + 10 * column + row;
+  };
+  std::optional<std::array<double, 6>> geotransform = {{400000, 50, 0, 5300000, 0, -50}};
+  std::string crs = "EPSG:32632";
+  std::optional<double> nodata;
+  std::optional<double> scale;
+  std::optional<double> offset;
+  std::string unit;
+  std::vector<std::pair<std::string, std::string>> metadata;
+  std::vector<std::string> creation_options;
+
+  // Anything else that a test does to the raster before it is written.
+  std::function<void(GDALDataset&)> change;
+
+  // Writes the file and returns its path. The driver is GDAL's short name.
+  std::string write(const std::string& path, const std::string& driver = "GTiff") const;
+};
+
+void write_text(const std::string& path, const std::string& text);
+[[nodiscard]] std::string read_text(const std::string& path);
+
+// The only Dem of a file.
+[[nodiscard]] Dem read_one(const std::string& path, const DemOptions& options = {});
+
+// The message with which reading is refused; empty if it is not.
+[[nodiscard]] std::string refusal(const std::vector<std::string>& paths,
+                                  const DemOptions& options = {});
+
+// Whether `text` holds every one of `parts`.
+[[nodiscard]] testing::AssertionResult says(const std::string& text,
+                                            const std::vector<std::string>& parts);
+
+// A file of the shared test data; empty if that is not here.
+[[nodiscard]] std::string shared_data(const std::string& name);
+
+}  // namespace terrview
