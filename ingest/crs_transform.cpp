@@ -135,15 +135,14 @@ ObjectList operations(PJ_CONTEXT* context, const PJ* crs, const Area& area) {
   return ObjectList(proj_create_operations(context, crs, wgs84.get(), factory.get()));
 }
 
-// The first operation that can be carried out, eastings first.
+// The first operation that can be carried out.
 Object first_usable(PJ_CONTEXT* context, const PJ_OBJ_LIST* list) {
   const int count = list != nullptr ? proj_list_get_count(list) : 0;
   for (int i = 0; i < count; ++i) {
-    const Object operation(proj_list_get(context, list, i));
+    Object operation(proj_list_get(context, list, i));
     if (!operation || proj_coordoperation_is_instantiable(context, operation.get()) == 0) continue;
     if (proj_coordoperation_has_ballpark_transformation(context, operation.get()) != 0) continue;
-    Object usable(proj_normalize_for_visualization(context, operation.get()));
-    if (usable) return usable;
+    return operation;
   }
   return nullptr;
 }
@@ -231,15 +230,18 @@ CrsTransform::CrsTransform(const std::string& dem, const std::string& crs_wkt,
   if (!where)
     throw InputError("'" + dem + "': its posts are nowhere on the Earth in " + describe(crs.get()) +
                      ": check its geotransform, or give the right system with --a-srs EPSG:CODE");
-  impl_->operation = first_usable(context, operations(context, crs.get(), *where).get());
-  if (!impl_->operation)
+  const Object chosen = first_usable(context, operations(context, crs.get(), *where).get());
+  if (!chosen)
     throw InputError("'" + dem + "': PROJ knows no better than a ballpark way from " +
                      describe(crs.get()) + " to WGS 84: give the exact system with --a-srs, " +
                      "or warp the DEM with gdalwarp");
-  const PJ* const operation = impl_->operation.get();
-  const double accuracy_m = proj_coordoperation_get_accuracy(context, operation);
+  impl_->operation.reset(proj_normalize_for_visualization(context, chosen.get()));
+  if (!impl_->operation)
+    throw InputError("'" + dem + "': PROJ cannot carry out " + describe(chosen.get()) +
+                     ": warp the DEM with gdalwarp");
+  const double accuracy_m = proj_coordoperation_get_accuracy(context, impl_->operation.get());
   impl_->description.dem = dem;
-  impl_->description.name = describe(operation);
+  impl_->description.name = describe(chosen.get());
   if (accuracy_m >= 0) impl_->description.accuracy_m = accuracy_m;
   impl_->turn = find_turn(impl_->operation.get());
 }
