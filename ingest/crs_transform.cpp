@@ -135,15 +135,14 @@ ObjectList operations(PJ_CONTEXT* context, const PJ* crs, const Area& area) {
   return ObjectList(proj_create_operations(context, crs, wgs84.get(), factory.get()));
 }
 
-// The first operation that can be carried out, eastings first.
+// The first operation that can be carried out.
 Object first_usable(PJ_CONTEXT* context, const PJ_OBJ_LIST* list) {
   const int count = list != nullptr ? proj_list_get_count(list) : 0;
   for (int i = 0; i < count; ++i) {
-    const Object operation(proj_list_get(context, list, i));
+    Object operation(proj_list_get(context, list, i));
     if (!operation || proj_coordoperation_is_instantiable(context, operation.get()) == 0) continue;
     if (proj_coordoperation_has_ballpark_transformation(context, operation.get()) != 0) continue;
-    Object usable(proj_normalize_for_visualization(context, operation.get()));
-    if (usable) return usable;
+    return operation;
   }
   return nullptr;
 }
@@ -153,27 +152,54 @@ std::string describe(const PJ* crs) {
   return name != nullptr && *name != '\0' ? name : "its coordinate system";
 }
 
-// x over longitude, where every degree of longitude is worth the same x on every parallel.
+// The x of points 30 degrees apart around a parallel, the first again at the end.
+constexpr int kMeridians = 12;
+using Parallel = std::array<double, kMeridians + 1>;
+
+double longitude_of(double meridian) { return in_turn(-175 + 360.0 / kMeridians * meridian); }
+
+double x_at(PJ* operation, double meridian, double latitude_deg) {
+  glm::dvec2 point(longitude_of(meridian), latitude_deg);
+  transform(operation, PJ_INV, {&point, 1});
+  return point.x;
+}
+
+// The step between the meridians where x starts again, if on all others x grows alike (but for a
+// change of datum).
+std::optional<int> find_cut(const Parallel& x, double step) {
+  std::optional<int> cut;
+  for (int i = 0; i < kMeridians; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (std::abs(x[at + 1] - x[at] - step) <= 1e-3 * std::abs(step)) continue;
+    if (cut) return std::nullopt;
+    cut = i;
+  }
+  return cut;
+}
+
 std::optional<double> find_turn(PJ* operation) {
-  constexpr double kStep_deg = 30;
-  std::array<glm::dvec2, 24> points;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = {-175 + kStep_deg * static_cast<double>(i % 12), i < 12 ? 10.0 : 40.0};
-  transform(operation, PJ_INV, points);
-  if (std::any_of(points.begin(), points.end(), [](glm::dvec2 p) { return std::isnan(p.x); }))
-    return std::nullopt;
-  std::vector<double> steps;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    if (i != 11) steps.push_back(points[i + 1].x - points[i].x);
-  std::vector<double> sorted = steps;
-  std::nth_element(sorted.begin(), sorted.begin() + 11, sorted.end());
-  const double typical = sorted[11];
-  const auto differs = [&](double step) {
-    return !(std::abs(step - typical) <= 1e-9 * std::abs(typical));
-  };
-  // On each parallel one step may straddle the cut where longitude starts again.
-  if (std::count_if(steps.begin(), steps.end(), differs) > 2) return std::nullopt;
-  return typical * 360 / kStep_deg;
+  std::array<Parallel, 2> parallels;
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i <= kMeridians; ++i) {
+      parallels[j][i] = x_at(operation, static_cast<double>(i), j == 0 ? 10 : 40);
+      if (std::isnan(parallels[j][i])) return std::nullopt;
+    }
+  const Parallel& x = parallels[0];
+  std::array<double, 3> steps{x[1] - x[0], x[2] - x[1], x[3] - x[2]};
+  std::sort(steps.begin(), steps.end());
+  const auto cut = find_cut(x, steps[1]);
+  if (!cut || find_cut(parallels[1], steps[1]) != cut) return std::nullopt;
+  // Close in on the cut: there x jumps by a whole turn.
+  double before = *cut;
+  double after = before + 1;
+  while (true) {
+    const double middle = (before + after) / 2;
+    if (middle == before || middle == after) break;
+    const double growth = x_at(operation, middle, 10) - x_at(operation, before, 10);
+    const double expected = steps[1] * (middle - before);
+    (std::abs(growth - expected) < std::abs(steps[1]) ? before : after) = middle;
+  }
+  return x_at(operation, before, 10) - x_at(operation, after, 10);
 }
 
 }  // namespace
@@ -204,15 +230,18 @@ CrsTransform::CrsTransform(const std::string& dem, const std::string& crs_wkt,
   if (!where)
     throw InputError("'" + dem + "': its posts are nowhere on the Earth in " + describe(crs.get()) +
                      ": check its geotransform, or give the right system with --a-srs EPSG:CODE");
-  impl_->operation = first_usable(context, operations(context, crs.get(), *where).get());
-  if (!impl_->operation)
+  const Object chosen = first_usable(context, operations(context, crs.get(), *where).get());
+  if (!chosen)
     throw InputError("'" + dem + "': PROJ knows no better than a ballpark way from " +
                      describe(crs.get()) + " to WGS 84: give the exact system with --a-srs, " +
                      "or warp the DEM with gdalwarp");
-  const PJ* const operation = impl_->operation.get();
-  const double accuracy_m = proj_coordoperation_get_accuracy(context, operation);
+  impl_->operation.reset(proj_normalize_for_visualization(context, chosen.get()));
+  if (!impl_->operation)
+    throw InputError("'" + dem + "': PROJ cannot carry out " + describe(chosen.get()) +
+                     ": warp the DEM with gdalwarp");
+  const double accuracy_m = proj_coordoperation_get_accuracy(context, impl_->operation.get());
   impl_->description.dem = dem;
-  impl_->description.name = describe(operation);
+  impl_->description.name = describe(chosen.get());
   if (accuracy_m >= 0) impl_->description.accuracy_m = accuracy_m;
   impl_->turn = find_turn(impl_->operation.get());
 }

@@ -36,8 +36,8 @@ class CrsTransform {
   void to_geographic(std::span<glm::dvec2> points) const;
   void from_geographic(std::span<glm::dvec2> points) const;
 
-  // How much x grows in a full turn of longitude, where x is longitude times a constant; nullopt
-  // for other projections.
+  // How much x grows in a full turn of longitude, where x is longitude times a constant (but for a
+  // change of datum); nullopt for other projections.
   [[nodiscard]] std::optional<double> turn() const;
 
   [[nodiscard]] const CrsOperation& operation() const;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <glm/mat2x2.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
 #include "terrain/height_grid.h"
@@ -28,6 +29,7 @@ struct PostPlacement {
   glm::dmat2 step{1, 0, 0, -1};  // column 0: one post along u; column 1: one post along v
 
   [[nodiscard]] glm::dvec2 at(glm::dvec2 uv) const { return origin + step * uv; }
+  [[nodiscard]] glm::dvec2 posts(glm::dvec2 xy) const { return glm::inverse(step) * (xy - origin); }
 };
 
 // Part of a file: first column, first row, width and height, in posts of the file.

@@ -5,8 +5,11 @@
 #include <utility>
 
 #include <GeographicLib/AzimuthalEquidistant.hpp>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include "terrain/error.h"
 
 namespace terrview {
 namespace {
@@ -52,9 +55,34 @@ void ExactGroundMap::to_grid(std::span<glm::dvec2> points) const {
   crs_->from_geographic(points);
   for (glm::dvec2& point : points) {
     point = to_posts_ * (point - placement_.origin);
-    if (turn_)
-      point += *turn_ * std::round(glm::dot(near_ - point, *turn_) / glm::dot(*turn_, *turn_));
+    if (turn_) point = unwrapped(point);
   }
+}
+
+glm::dvec2 ExactGroundMap::unwrapped(glm::dvec2 uv) const {
+  const double from_near = glm::dot(uv - near_, *turn_) / glm::dot(*turn_, *turn_);
+  const double turns = std::round(from_near);
+  uv -= *turn_ * turns;
+  const double aside = from_near - turns;
+  const double far = (std::abs(aside) - far_side_) / (0.5 - far_side_);
+  if (!(far > 0)) return uv;
+  // First beyond the pole, then together.
+  return uv + beyond_pole_ * glm::smoothstep(0.0, 0.5, far) -
+         *turn_ * (aside * glm::smoothstep(0.5, 1.0, far));
+}
+
+void ExactGroundMap::part_at_pole(double latitude_deg, glm::ivec2 grid_size) {
+  const glm::dvec2 last_post(grid_size - 1);
+  near_ = 0.5 * last_post;
+  const double turn2 = glm::dot(*turn_, *turn_);
+  const double half_width = 0.5 * glm::dot(last_post, glm::abs(*turn_)) / turn2;
+  constexpr double kLeastFarSide = 0.1;
+  if (0.5 - half_width < kLeastFarSide)
+    throw InputError("'" + dem() +
+                     "': its longitudes surround a pole within sight of the eye: warp it to a "
+                     "polar projection, as gdalwarp -t_srs EPSG:3413");
+  far_side_ = half_width + 0.3 * (0.5 - half_width);
+  beyond_pole_ = to_posts_ * glm::dvec2(0, std::copysign(*crs_->turn() / 2, latitude_deg));
 }
 
 void ExactGroundMap::to_ground(std::span<glm::dvec2> points) const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
@@ -43,19 +44,38 @@ class ExactGroundMap {
   // d(u, v) / d(x, y) by central differences, right to 1e-9 of itself.
   [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const;
 
+  // The name of the DEM.
+  [[nodiscard]] const std::string& dem() const { return crs_->operation().dem; }
+
   // At first the first post.
   void set_near(glm::dvec2 uv) { near_ = uv; }
+
+  // For ground that holds the pole of this latitude (90 or -90): posts of the far side, where
+  // longitude starts again, are moved off the grid beyond the pole, so that the map is continuous
+  // but for the pole itself. near() becomes the grid's middle. Throws InputError where the grid
+  // surrounds the pole and leaves no far side.
+  void part_at_pole(double latitude_deg, glm::ivec2 grid_size);
+
+  // The ground of a latitude and longitude.
+  [[nodiscard]] glm::dvec2 to_ground(const GeoPoint& point) const {
+    return ground_from_geographic(eye_, point);
+  }
 
   // A full turn of longitude, in posts; nullopt where it does not lead back to the same place.
   [[nodiscard]] std::optional<glm::dvec2> turn() const { return turn_; }
 
  private:
+  [[nodiscard]] glm::dvec2 unwrapped(glm::dvec2 uv) const;
+
   GeoPoint eye_;
   std::shared_ptr<const CrsTransform> crs_;
   PostPlacement placement_;
   glm::dmat2 to_posts_;
   std::optional<glm::dvec2> turn_;
   glm::dvec2 near_{0, 0};
+  // The far side begins at this share of a turn from near(); one half = there is none.
+  double far_side_ = 0.5;
+  glm::dvec2 beyond_pole_{0, 0};
 };
 
 }  // namespace terrview

@@ -1,13 +1,19 @@
 #include "ingest/view_frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include <GeographicLib/Constants.hpp>
 #include <glm/matrix.hpp>
 
+#include "ingest/frame_errors.h"
+#include "ingest/lay_grid.h"
+#include "ingest/sight.h"
 #include "terrain/error.h"
+#include "terrain/grid_walk.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
@@ -48,8 +54,8 @@ void check(const std::vector<Dem>& dems, const EyePlace& eye, const ViewFrameOpt
   if (dems.empty()) throw InputError("no DEM: name at least one file");
   if (!(options.z_scale > 0) || !std::isfinite(options.z_scale))
     throw InputError("--z-scale " + format("%g", options.z_scale) + ": give a number above 0");
-  if (!std::isfinite(options.refraction))
-    throw InputError("--refraction: give a number, such as 0.13");
+  if (!(std::abs(options.refraction) <= 1))
+    throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
   for (const Dem& dem : dems) {
     if (dem.crs_wkt.empty() != dems[0].crs_wkt.empty())
       throw InputError("'" + (dem.crs_wkt.empty() ? dem : dems[0]).name +
@@ -92,7 +98,27 @@ struct Place {
   std::shared_ptr<const HeightGrid> grid;
   PostPlacement placement;
   std::shared_ptr<const CrsTransform> crs;  // null = none
+
+  [[nodiscard]] glm::ivec2 size() const { return {grid->columns, grid->rows}; }
+  [[nodiscard]] glm::dvec2 middle() const { return glm::dvec2(size() - 1) / 2.0; }
 };
+
+// Heights of the scene.
+struct Relief {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  double highest_m = -std::numeric_limits<double>::infinity();
+};
+
+Relief relief(const std::vector<Place>& places, double z_scale) {
+  Relief relief;
+  for (const Place& place : places) {
+    const HeightRange range = height_range(*place.grid);
+    if (std::isnan(range.highest_m)) continue;
+    relief.lowest_m = std::min(relief.lowest_m, z_scale * range.lowest_m);
+    relief.highest_m = std::max(relief.highest_m, z_scale * range.highest_m);
+  }
+  return relief;
+}
 
 }  // namespace
 
@@ -104,19 +130,20 @@ struct ViewFrame::Impl {
   Eye eye{};
   bool curved = false;
   glm::dmat2 flat_to_ground{1};  // flat Earth: from the first DEM's (x, y) less the eye's
+  FrameErrors errors;
   std::shared_ptr<const Terrain> terrain;
 
   void place_dems(const std::vector<Dem>& dems);
   void place_eye(const EyePlace& place);
   [[nodiscard]] std::string eye_text() const;
-  [[nodiscard]] ExactGroundMap exact_map(const Place& place) const {
-    return {*eye.geographic, place.crs, place.placement};
-  }
+  [[nodiscard]] ExactGroundMap exact_map(const Place& place) const;
   [[nodiscard]] glm::dvec2 projected(const GeoPoint& point) const;
   [[nodiscard]] GeoPoint geographic(glm::dvec2 xy) const;
   [[nodiscard]] TerrainLayer flat_layer(const Place& place) const;
-  [[nodiscard]] std::optional<double> ground_under_eye(const std::vector<TerrainLayer>& flat) const;
+  [[nodiscard]] std::optional<double> ground_under_eye() const;
   [[nodiscard]] VerticalFrame vertical_frame(const EyePlace& place);
+  [[nodiscard]] std::vector<TerrainLayer> flat_layers();
+  [[nodiscard]] std::vector<TerrainLayer> curved_layers(const VerticalFrame& frame);
 };
 
 void ViewFrame::Impl::place_dems(const std::vector<Dem>& dems) {
@@ -133,14 +160,21 @@ void ViewFrame::Impl::place_dems(const std::vector<Dem>& dems) {
 glm::dvec2 ViewFrame::Impl::projected(const GeoPoint& point) const {
   glm::dvec2 xy(point.longitude_deg, point.latitude_deg);
   places[0].crs->from_geographic({&xy, 1});
-  if (const auto turn = places[0].crs->turn())
-    xy.x += *turn * std::round((places[0].placement.origin.x - xy.x) / *turn);
+  const Place& first = places[0];
+  if (const auto turn = first.crs->turn())
+    xy.x += *turn * std::round((first.placement.at(first.middle()).x - xy.x) / *turn);
   return xy;
 }
 
 GeoPoint ViewFrame::Impl::geographic(glm::dvec2 xy) const {
   places[0].crs->to_geographic({&xy, 1});
   return {xy.y, std::remainder(xy.x, 360.0)};
+}
+
+ExactGroundMap ViewFrame::Impl::exact_map(const Place& place) const {
+  ExactGroundMap map(*eye.geographic, place.crs, place.placement);
+  map.set_near(place.middle());
+  return map;
 }
 
 void ViewFrame::Impl::place_eye(const EyePlace& place) {
@@ -165,25 +199,18 @@ std::string ViewFrame::Impl::eye_text() const {
   return format("%.3f", eye.projected.x) + ", " + format("%.3f", eye.projected.y);
 }
 
-TerrainLayer ViewFrame::Impl::flat_layer(const Place& place) const {
-  const glm::ivec2 size(place.grid->columns, place.grid->rows);
-  if (!place.crs) {
-    const glm::dmat2 to_posts = glm::inverse(place.placement.step);
-    return {place.grid, std::make_shared<AffineGroundMap>(
-                            to_posts * (eye.projected - place.placement.origin), to_posts, size)};
+// The first DEM that has ground there tells its height.
+std::optional<double> ViewFrame::Impl::ground_under_eye() const {
+  for (const Place& place : places) {
+    const HeightGrid& grid = *place.grid;
+    if (grid.columns < 2 || grid.rows < 2) continue;
+    const glm::dvec2 uv =
+        place.crs ? exact_map(place).to_grid(glm::dvec2(0)) : place.placement.posts(eye.projected);
+    if (!grid.covers(uv)) continue;
+    const glm::ivec2 cell = cell_of(grid, uv);
+    if (grid.has_ground(cell.x, cell.y)) return height_at(grid, options.surface, cell, uv);
   }
-  ExactGroundMap exact = exact_map(place);
-  exact.set_near(glm::dvec2(size - 1) / 2.0);
-  return {place.grid, std::make_shared<AffineGroundMap>(exact.to_grid(glm::dvec2(0)),
-                                                        exact.jacobian(glm::dvec2(0)), size)};
-}
-
-std::optional<double> ViewFrame::Impl::ground_under_eye(
-    const std::vector<TerrainLayer>& flat) const {
-  const Terrain terrain_below(flat, {.z_scale = options.z_scale}, options.surface);
-  const auto ground = terrain_below.ground_at(glm::dvec2(0));
-  if (!ground) return std::nullopt;
-  return ground->scene_height_m / options.z_scale;
+  return std::nullopt;
 }
 
 VerticalFrame ViewFrame::Impl::vertical_frame(const EyePlace& place) {
@@ -211,6 +238,43 @@ VerticalFrame ViewFrame::Impl::vertical_frame(const EyePlace& place) {
   return frame;
 }
 
+TerrainLayer ViewFrame::Impl::flat_layer(const Place& place) const {
+  if (!place.crs)
+    return {place.grid,
+            std::make_shared<AffineGroundMap>(place.placement.posts(eye.projected),
+                                              glm::inverse(place.placement.step), place.size())};
+  const ExactGroundMap exact = exact_map(place);
+  const glm::dvec2 eye_uv = exact.to_grid(glm::dvec2(0));
+  const glm::dmat2 jacobian = exact.jacobian(glm::dvec2(0));
+  if (!std::isfinite(glm::determinant(jacobian)) || !std::isfinite(eye_uv.x))
+    throw InputError("the eye at " + eye_text() + " is outside of where the coordinates of '" +
+                     place.crs->operation().dem +
+                     "' are defined: move it, or leave out --earth flat");
+  return {place.grid, std::make_shared<AffineGroundMap>(eye_uv, jacobian, place.size())};
+}
+
+std::vector<TerrainLayer> ViewFrame::Impl::flat_layers() {
+  std::vector<TerrainLayer> layers;
+  for (const Place& place : places) layers.push_back(flat_layer(place));
+  flat_to_ground = glm::inverse(places[0].placement.step * layers[0].map->jacobian(glm::dvec2(0)));
+  return layers;
+}
+
+std::vector<TerrainLayer> ViewFrame::Impl::curved_layers(const VerticalFrame& frame) {
+  const Relief heights = relief(places, options.z_scale);
+  const double sight = sight_m(frame, heights.lowest_m, heights.highest_m);
+  std::vector<TerrainLayer> layers;
+  for (const Place& place : places) {
+    for (const LaidGrid& laid : lay_grid(exact_map(place), place.size(), sight)) {
+      const FrameErrors here = measure_errors(laid, *place.grid, *eye.geographic, frame, sight);
+      errors.track_cells = std::max(errors.track_cells, here.track_cells);
+      errors.direction_rad = std::max(errors.direction_rad, here.direction_rad);
+      layers.push_back({place.grid, laid.map});
+    }
+  }
+  return layers;
+}
+
 ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
                      const ViewFrameOptions& options)
     : impl_(std::make_unique<Impl>()) {
@@ -221,14 +285,10 @@ ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
   impl_->place_eye(eye);
   impl_->curved = impl_->eye.geographic && options.earth == EarthModel::curved;
 
-  std::vector<TerrainLayer> flat;
-  for (const Place& place : impl_->places) flat.push_back(impl_->flat_layer(place));
-  impl_->eye.ground_m = impl_->ground_under_eye(flat);
+  impl_->eye.ground_m = impl_->ground_under_eye();
   const VerticalFrame frame = impl_->vertical_frame(eye);
-  if (!impl_->curved)
-    impl_->flat_to_ground =
-        glm::inverse(impl_->places[0].placement.step * flat[0].map->jacobian(glm::dvec2(0)));
-  impl_->terrain = std::make_shared<Terrain>(std::move(flat), frame, options.surface);
+  impl_->terrain = std::make_shared<Terrain>(
+      impl_->curved ? impl_->curved_layers(frame) : impl_->flat_layers(), frame, options.surface);
 }
 
 ViewFrame::~ViewFrame() = default;
@@ -277,8 +337,8 @@ const std::vector<CrsOperation>& ViewFrame::operations() const { return impl_->o
 
 const std::vector<std::string>& ViewFrame::warnings() const { return impl_->warnings; }
 
-double ViewFrame::track_error_cells() const { return 0; }
+double ViewFrame::track_error_cells() const { return impl_->errors.track_cells; }
 
-double ViewFrame::direction_error_rad() const { return 0; }
+double ViewFrame::direction_error_rad() const { return impl_->errors.direction_rad; }
 
 }  // namespace terrview

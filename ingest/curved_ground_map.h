@@ -1,0 +1,46 @@
+// The ground map of a DEM on the curved Earth: fast, and as exact as its patches.
+//
+// Inside a disc around the grid the map is that of a PatchTree; outside, where no post lies, it is
+// carried on along the radii of the disc. It is built by one thread and then immutable: neither
+// PROJ nor GeographicLib is called by its functions.
+#pragma once
+
+#include "ingest/patch_tree.h"
+#include "terrain/ground_map.h"
+
+namespace terrview {
+
+// The ground that a grid takes up: all of it lies in the disc, or all of it that can matter.
+struct GroundDisc {
+  glm::dvec2 centre_m{0, 0};
+  double radius_m = 1;
+};
+
+class CurvedGroundMap final : public GroundMap {
+ public:
+  // `reach_m` as GroundMap::reach_m(). Throws InputError where the map is too sharply bent.
+  CurvedGroundMap(const ExactGroundMap& exact, glm::ivec2 grid_size, const GroundDisc& disc,
+                  double reach_m);
+
+  [[nodiscard]] glm::dvec2 to_grid(glm::dvec2 ground_m) const override;
+  [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const override;
+  [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
+                                   double limit_m) const override;
+  [[nodiscard]] double reach_m() const override { return reach_m_; }
+
+  [[nodiscard]] const PatchTree& patches() const { return patches_; }
+
+ private:
+  [[nodiscard]] double end_inside(const GroundLine& line, double from_m, double limit_m) const;
+  [[nodiscard]] double end_outside(const GroundLine& line, double from_m, double limit_m) const;
+  [[nodiscard]] double chord_excess(const GroundLine& line, double from_m, double to_m) const;
+
+  glm::dvec2 last_post_;
+  GroundDisc disc_;
+  double reach_m_;
+  PatchTree patches_;
+  glm::dvec2 centre_uv_;
+  double piece_error_cells_;  // what the patches leave of kTrackError_cells
+};
+
+}  // namespace terrview

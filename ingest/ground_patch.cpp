@@ -1,0 +1,131 @@
+#include "ingest/ground_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace terrview {
+namespace {
+
+constexpr int kNodes = GroundPatch::kNodes;
+using Table = std::array<std::array<double, kNodes>, kNodes>;
+
+// The first of the terms x^i, x^i y, x^i y^2, ...
+constexpr int first_term(int i) { return i * (2 * kNodes + 1 - i) / 2; }
+
+double node(int index) { return -std::cos(std::numbers::pi * (index + 0.5) / kNodes); }
+
+// Row k: the coefficients of the Chebyshev polynomial T_k.
+Table chebyshev_coefficients() {
+  Table table{};
+  table[0][0] = 1;
+  table[1][1] = 1;
+  for (std::size_t k = 2; k < kNodes; ++k)
+    for (std::size_t power = 0; power <= k; ++power)
+      table[k][power] = (power > 0 ? 2 * table[k - 1][power - 1] : 0) - table[k - 2][power];
+  return table;
+}
+
+// Row k: what the sample at each node adds to the coefficient of T_k.
+Table chebyshev_weights() {
+  Table table{};
+  for (int k = 0; k < kNodes; ++k)
+    for (int i = 0; i < kNodes; ++i)
+      table[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] =
+          (k == 0 ? 1.0 : 2.0) / kNodes * std::cos(k * std::acos(node(i)));
+  return table;
+}
+
+}  // namespace
+
+GroundPatch::Nodes GroundPatch::nodes(const GroundSquare& square) {
+  Nodes points;
+  for (int i = 0; i < kNodes; ++i)
+    for (int j = 0; j < kNodes; ++j)
+      points[static_cast<std::size_t>(i * kNodes + j)] = square.at({node(i), node(j)});
+  return points;
+}
+
+GroundPatch::GroundPatch(const GroundSquare& square, const Nodes& uv_at_nodes)
+    : square_(square), per_half_m_(1 / square.half_m), terms_{} {
+  static const Table weights = chebyshev_weights();
+  static const Table powers = chebyshev_coefficients();
+  for (std::size_t k = 0; k < kNodes; ++k) {
+    for (std::size_t l = 0; k + l < kNodes; ++l) {
+      glm::dvec2 coefficient(0);
+      for (std::size_t i = 0; i < kNodes; ++i)
+        for (std::size_t j = 0; j < kNodes; ++j)
+          coefficient += weights[k][i] * weights[l][j] * uv_at_nodes[i * kNodes + j];
+      for (std::size_t i = 0; i <= k; ++i)
+        for (std::size_t j = 0; j <= l; ++j)
+          terms_[static_cast<std::size_t>(first_term(static_cast<int>(i))) + j] +=
+              powers[k][i] * powers[l][j] * coefficient;
+    }
+  }
+  find_bounds();
+}
+
+void GroundPatch::find_bounds() {
+  const double per_area = per_half_m_ * per_half_m_;
+  for (int i = 0; i < kNodes; ++i) {
+    for (int j = 0; i + j < kNodes; ++j) {
+      const glm::dvec2 term = per_area * terms_[static_cast<std::size_t>(first_term(i) + j)];
+      const glm::dvec3 factors(i * (i - 1), i * j, j * (j - 1));
+      SecondDerivative& kind = i + j == 2 ? central_ : spread_;
+      kind.u += i + j == 2 ? factors * term.x : glm::abs(factors * term.x);
+      kind.v += i + j == 2 ? factors * term.y : glm::abs(factors * term.y);
+    }
+  }
+  const glm::dmat2 to_ground = glm::inverse(jacobian(square_.centre_m));
+  cell_m_ = {glm::length(to_ground[0]), glm::length(to_ground[1])};
+}
+
+glm::dvec2 GroundPatch::at(glm::dvec2 ground_m) const {
+  const glm::dvec2 p = (ground_m - square_.centre_m) * per_half_m_;
+  glm::dvec2 sum(0);
+  for (int i = kDegree; i >= 0; --i) {
+    const glm::dvec2* const row = terms_.data() + first_term(i);
+    glm::dvec2 inner = row[kDegree - i];
+    for (int j = kDegree - i - 1; j >= 0; --j) inner = inner * p.y + row[j];
+    sum = sum * p.x + inner;
+  }
+  return sum;
+}
+
+glm::dmat2 GroundPatch::jacobian(glm::dvec2 ground_m) const {
+  const glm::dvec2 p = (ground_m - square_.centre_m) * per_half_m_;
+  glm::dvec2 by_x(0);
+  glm::dvec2 by_y(0);
+  for (int i = kDegree; i >= 0; --i) {
+    const glm::dvec2* const row = terms_.data() + first_term(i);
+    glm::dvec2 inner(0);
+    glm::dvec2 slope(0);
+    for (int j = kDegree - i; j >= 0; --j) {
+      slope = slope * p.y + inner;
+      inner = inner * p.y + row[j];
+    }
+    if (i > 0) by_x = by_x * p.x + static_cast<double>(i) * inner;
+    by_y = by_y * p.x + slope;
+  }
+  return {by_x * per_half_m_, by_y * per_half_m_};
+}
+
+glm::dvec2 GroundPatch::bend(glm::dvec2 direction) const {
+  const glm::dvec3 form(direction.x * direction.x, 2 * direction.x * direction.y,
+                        direction.y * direction.y);
+  const glm::dvec3 size = glm::abs(form);
+  return {std::abs(glm::dot(central_.u, form)) + glm::dot(spread_.u, size),
+          std::abs(glm::dot(central_.v, form)) + glm::dot(spread_.v, size)};
+}
+
+glm::dvec2 GroundPatch::largest_bend() const {
+  const glm::dvec3 u = glm::abs(central_.u) + spread_.u;
+  const glm::dvec3 v = glm::abs(central_.v) + spread_.v;
+  return {std::max(u.x, u.z) + u.y, std::max(v.x, v.z) + v.y};
+}
+
+}  // namespace terrview
