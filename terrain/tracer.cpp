@@ -163,7 +163,11 @@ class Tracer {
       return false;
     }
     // Coming from ground that it was above, a ray below this ground meets the step between them.
-    if (in < 0 || (in == 0 && out <= 0)) return stop(grid, span, 0);
+    if (in < 0) return stop(grid, span, 0);
+    // Through a post the walk takes a step of no length, where a ray from the ground is still on
+    // it.
+    if (span.in.g_m == span.out.g_m) return true;
+    if (in == 0 && out <= 0) return stop(grid, span, 0);
     const double share = first_root(in, out, bend(span));
     return share > 1 || stop(grid, span, share);
   }

@@ -138,7 +138,7 @@ Real chord_sag_m(const Terrain& terrain, const Profile& profile) {
 }
 
 // Far more than rounding moves a track, and too little to matter where there is ground.
-constexpr Real kMove = 1e-12L;
+constexpr Real kMove = 2e-14L;
 
 std::vector<Profile> profiles_beside(const Terrain& terrain, const Ray& ray) {
   Real size = 2;

@@ -15,7 +15,8 @@
 
 namespace terrview::oracle {
 
-inline constexpr double kTolerance = 1e-9;
+// A thousandth of what is promised, so that faults too small for the promise show, too.
+inline constexpr double kTolerance = 1e-12;
 
 // The largest of the coordinates, heights and distances that a ray over this terrain involves.
 [[nodiscard]] double scene_scale_m(const Terrain& terrain, const Ray& ray);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "terrain/terrain.h"
+#include "tests/support/expectations.h"
 #include "tests/support/judge.h"
 #include "tests/support/random_scene.h"
 
@@ -85,7 +86,7 @@ void expect_agreement_over_several_grids(SurfaceModel model, std::uint64_t seed,
   EXPECT_EQ(tally.beside, 0);
 }
 
-class Tracer : public testing::TestWithParam<SurfaceModel> {};
+class Tracer : public ModelTest {};
 
 TEST_P(Tracer, AgreesWithAllCrossingsSorted) {
   expect_agreement_in_general_position(GetParam(), /*seed=*/1, /*rays=*/100'000);
@@ -99,7 +100,7 @@ TEST_P(Tracer, AgreesOverSeveralGridsInOrderOfPreference) {
   expect_agreement_over_several_grids(GetParam(), /*seed=*/3, /*rays=*/30'000);
 }
 
-class TracerLong : public testing::TestWithParam<SurfaceModel> {};
+class TracerLong : public ModelTest {};
 
 TEST_P(TracerLong, AgreesWithAllCrossingsSorted) {
   expect_agreement_in_general_position(GetParam(), /*seed=*/4, /*rays=*/1'000'000);
@@ -113,22 +114,8 @@ TEST_P(TracerLong, AgreesOverSeveralGridsInOrderOfPreference) {
   expect_agreement_over_several_grids(GetParam(), /*seed=*/6, /*rays=*/1'000'000);
 }
 
-std::string model_name(const testing::TestParamInfo<SurfaceModel>& info) {
-  switch (info.param) {
-    case SurfaceModel::hyperboloid:
-      return "hyperboloid";
-    case SurfaceModel::triangles:
-      return "triangles";
-    case SurfaceModel::bilinear:
-      return "bilinear";
-  }
-  return "unknown";
-}
-
-constexpr auto kModels = {SurfaceModel::hyperboloid, SurfaceModel::triangles,
-                          SurfaceModel::bilinear};
-INSTANTIATE_TEST_SUITE_P(Models, Tracer, testing::ValuesIn(kModels), model_name);
-INSTANTIATE_TEST_SUITE_P(Models, TracerLong, testing::ValuesIn(kModels), model_name);
+INSTANTIATE_TEST_SUITE_P(Models, Tracer, testing::ValuesIn(kSurfaceModels), model_name);
+INSTANTIATE_TEST_SUITE_P(Models, TracerLong, testing::ValuesIn(kSurfaceModels), model_name);
 
 }  // namespace
 }  // namespace terrview
