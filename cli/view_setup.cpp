@@ -1,10 +1,12 @@
 #include "cli/view_setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
+#include "ingest/color_ramp_file.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -59,6 +61,16 @@ Aim resolve_aim(const ViewOptions& options, const ViewFrame& frame, const std::v
       aim_at(options.look_at ? target_point(*options.look_at, frame) : centre_of(dems, frame));
   if (options.pitch_deg) aim.pitch_deg = *options.pitch_deg;
   return aim;
+}
+
+HeightRange whole_range(const Terrain& terrain) {
+  HeightRange whole = height_range(*terrain.layers().front().grid);
+  for (const TerrainLayer& layer : terrain.layers()) {
+    const HeightRange range = height_range(*layer.grid);
+    whole.lowest_m = std::min(whole.lowest_m, range.lowest_m);
+    whole.highest_m = std::max(whole.highest_m, range.highest_m);
+  }
+  return whole;
 }
 
 }  // namespace
@@ -131,6 +143,8 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
   scene.normals = options.normals;
   scene.light.towards_sun = towards(sun);
   scene.light.casts_shadows = !options.no_shadows;
+  if (!options.colors.empty())
+    scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
   return scene;
 }
 

@@ -40,7 +40,7 @@ struct HeightGrid {
 struct HeightRange {
   float lowest_m;
   float highest_m;
-  bool has_holes;  // some post has no height
+  bool has_holes = false;  // some post has no height
 };
 
 // The range of the heights of `grid`; NaN where no post has a height.
