@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -31,6 +30,8 @@ OutputFile::OutputFile(std::string path, bool overwrite)
   std::error_code ignored;
   if (fs::is_directory(path_, ignored))
     throw InputError("'" + path_ + "': is a folder: name a file in it");
+  if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored))
+    throw InputError("'" + path_ + "': is a device: name a file");
   if (!overwrite && fs::exists(path_, ignored))
     throw InputError("'" + path_ + "': exists already: give --overwrite to replace it");
   const int file = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -45,19 +46,22 @@ OutputFile::~OutputFile() {
   if (!committed_) fs::remove(temporary_path_, ignored);
 }
 
+void OutputFile::fill(const std::function<void(const std::string&)>& write) const {
+  try {
+    write(temporary_path_);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("'" + path_ + "': writing failed: " + error.what());
+  }
+}
+
 void OutputFile::commit() {
   std::error_code error;
   fs::rename(temporary_path_, path_, error);
   if (error)
     throw std::runtime_error("'" + path_ + "': cannot be put in place: " + error.message());
   committed_ = true;
-}
-
-void write_text(const OutputFile& file, const std::string& text) {
-  std::ofstream stream(file.temporary_path(), std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error("'" + file.path() + "': writing failed: is the disk full?");
 }
 
 }  // namespace terrview

@@ -1,6 +1,7 @@
 // A file that appears under its name only when it is complete.
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace terrview {
@@ -8,8 +9,8 @@ namespace terrview {
 class OutputFile {
  public:
   // Claims `path` by making an empty temporary file beside it, so that a folder that is missing or
-  // read-only is known before the work. Throws InputError, also if `path` exists and `overwrite` is
-  // false.
+  // read-only is known before the work. Throws InputError, also if `path` is no regular file, or
+  // exists and `overwrite` is false.
   OutputFile(std::string path, bool overwrite);
   ~OutputFile();  // removes the temporary file unless committed
   OutputFile(const OutputFile&) = delete;
@@ -17,8 +18,9 @@ class OutputFile {
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  // Where to write; it has the extension of path().
-  [[nodiscard]] const std::string& temporary_path() const { return temporary_path_; }
+  // Calls `write` with the path of the temporary file, which has the extension of path(). The
+  // reason it gives by a std::runtime_error gets the name of path().
+  void fill(const std::function<void(const std::string& temporary_path)>& write) const;
 
   // Renames the temporary file into place.
   void commit();
@@ -28,8 +30,5 @@ class OutputFile {
   std::string temporary_path_;
   bool committed_ = false;
 };
-
-// Writes `text` to the file's temporary path; throws std::runtime_error if it can't.
-void write_text(const OutputFile& file, const std::string& text);
 
 }  // namespace terrview

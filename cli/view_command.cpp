@@ -17,6 +17,7 @@
 #include "cli/view_setup.h"
 #include "render/image_file.h"
 #include "render/render.h"
+#include "render/write_file.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -45,7 +46,8 @@ class Outputs {
     std::string picture = options.output;
     if (picture.empty())
       picture = std::filesystem::path(options.dems.front()).stem().string() + ".png";
-    check_image_file(picture, {options.format, options.creation, {}});
+    check_image_file(picture, options.size_px.value_or(ResolvedView{}.size_px),
+                     {options.format, options.creation, {}});
     check_layers_name(options.layers);
     image = claim(picture, options.overwrite);
     layers = claim(options.layers, options.overwrite);
@@ -134,13 +136,18 @@ void say_where_the_eye_is(const ViewFrame& frame, const ResolvedView& view) {
 void write_outputs(const ViewOptions& options, const Outputs& outputs, const Frame& frame,
                    const ViewFrame& view_frame, const ResolvedView& view, const SunPosition& sun) {
   const std::string camera_text = camera_json(view).dump(2);
-  write_image(
-      outputs.image->temporary_path(), frame.image,
-      {options.format, options.creation, {{"terrview:view", describe(options, view, sun).dump()}}});
+  outputs.image->fill([&](const std::string& path) {
+    write_image(path, frame.image,
+                {options.format,
+                 options.creation,
+                 {{"terrview:view", describe(options, view, sun).dump()}}});
+  });
   if (outputs.layers)
-    write_layers_file(outputs.layers->temporary_path(), frame, view_frame, options.threads,
-                      camera_text);
-  if (outputs.camera) write_text(*outputs.camera, camera_text + "\n");
+    outputs.layers->fill([&](const std::string& path) {
+      write_layers_file(path, frame, view_frame, options.threads, camera_text);
+    });
+  if (outputs.camera)
+    outputs.camera->fill([&](const std::string& path) { write_file(path, camera_text + "\n"); });
 }
 
 ViewOptions parse_view(const std::vector<std::string>& args) {
@@ -198,8 +205,10 @@ int run_view(const std::vector<std::string>& args) {
 
   write_outputs(options, outputs, frame, view_frame, view, sun);
   seconds.write = stopwatch.lap();
-  if (outputs.stats)
-    write_text(*outputs.stats, stats_json(frame, view_frame, camera, dems, seconds).dump(2) + "\n");
+  if (outputs.stats) {
+    const Json stats = stats_json(frame, view_frame, camera, dems, seconds);
+    outputs.stats->fill([&](const std::string& path) { write_file(path, stats.dump(2) + "\n"); });
+  }
   outputs.commit();
   if (!options.quiet) std::fprintf(stderr, "wrote %s\n", outputs.image->path().c_str());
   return 0;

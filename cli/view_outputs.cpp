@@ -79,7 +79,7 @@ void write_exr_layers(const std::string& path, const Raster<PixelSample>& sample
     }
     channels[7].values[i] = static_cast<float>(sample.object_id);
   });
-  write_exr(path, samples.width_px(), samples.height_px(), channels,
+  write_exr(path, {samples.width_px(), samples.height_px()}, channels,
             {{"terrview:camera", camera_json}});
 }
 

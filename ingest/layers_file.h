@@ -13,7 +13,8 @@ struct LayerBand {
 };
 
 // Writes Float64 bands with their names as descriptions and NaN as nodata. The picture is a
-// perspective one, so the file carries no geotransform. Throws std::runtime_error.
+// perspective one, so the file carries no geotransform. Throws std::runtime_error with the reason,
+// but not the path.
 void write_layers(const std::string& path, int width_px, int height_px,
                   const std::vector<LayerBand>& bands, const std::string& camera_json);
 

@@ -7,10 +7,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "render/color_ramp.h"
+#include "render/write_file.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -82,34 +85,73 @@ void apply_creation(OIIO::ImageSpec& spec, const std::string& format,
   }
 }
 
-OIIO::ImageSpec image_spec(int width_px, int height_px, const std::string& format,
+// The same picture makes the same bytes: neither OpenImageIO's version nor the time goes into it.
+void apply_metadata(OIIO::ImageSpec& spec, const std::string& format,
+                    const std::map<std::string, std::string>& metadata) {
+  spec.attribute("Software", "terrview");
+  if (format == "openexr") spec.attribute("DateTime", "");
+  // An unknown date, as Exif writes it.
+  if (format == "tiff") spec.attribute("DateTime", "    :  :     :  :  ");
+  std::string description;
+  for (const auto& [key, value] : metadata) {
+    spec.attribute(key, value);
+    description += (description.empty() ? "" : "\n") + value;
+  }
+  // These keep no text but under names of their own.
+  if (!description.empty() && (format == "tiff" || format == "jpeg"))
+    spec.attribute("ImageDescription", description);
+}
+
+OIIO::ImageSpec image_spec(glm::ivec2 size_px, const std::string& format,
                            const ImageFileOptions& options) {
   const bool linear = format == "openexr";
-  OIIO::ImageSpec spec(width_px, height_px, 3, linear ? OIIO::TypeFloat : OIIO::TypeUInt8);
+  OIIO::ImageSpec spec(size_px.x, size_px.y, 3, linear ? OIIO::TypeFloat : OIIO::TypeUInt8);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-  // Without a name of its own OpenImageIO would write its version here.
-  spec.attribute("Software", "terrview");
-  for (const auto& [key, value] : options.metadata) spec.attribute(key, value);
+  apply_metadata(spec, format, options.metadata);
   apply_creation(spec, format, options.creation);
   return spec;
 }
 
-std::unique_ptr<OIIO::ImageOutput> open(const std::string& path, const std::string& format,
-                                        const OIIO::ImageSpec& spec) {
+// What the formats and their libraries allow; libjpeg would end the program.
+void check_size(glm::ivec2 size_px, const std::string& format) {
+  static const std::map<std::string, int> kLongestSide_px{
+      {"jpeg", 65500}, {"png", 1'000'000}, {"webp", 16383}};
+  const auto limit = kLongestSide_px.find(format);
+  const int side_px = std::max(size_px.x, size_px.y);
+  if (limit != kLongestSide_px.end() && side_px > limit->second)
+    throw InputError("--size: " + std::to_string(size_px.x) + "x" + std::to_string(size_px.y) +
+                     ": a " + format + " picture has at most " + std::to_string(limit->second) +
+                     " pixels a side: choose .tif or .exr");
+}
+
+std::unique_ptr<OIIO::ImageOutput> create(const std::string& format) {
   auto output = OIIO::ImageOutput::create(format);
   if (!output)
-    throw InputError("'" + path + "': this build cannot write " + format +
-                     ": choose another extension (" + OIIO::geterror() + ")");
-  if (!output->open(path, spec))
-    throw InputError("'" + path + "': cannot be written: " + output->geterror());
+    throw InputError("this build cannot write " + format + ": choose another extension (" +
+                     OIIO::geterror() + ")");
   return output;
 }
 
 template <class Value>
-void write_pixels(const std::string& path, OIIO::ImageOutput& output, OIIO::TypeDesc type,
+void write_pixels(OIIO::ImageOutput& output, const std::string& path, const OIIO::ImageSpec& spec,
                   const std::vector<Value>& values) {
-  if (!output.write_image(type, values.data()) || !output.close())
-    throw std::runtime_error("'" + path + "': writing failed: " + output.geterror());
+  const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Value>::value;
+  if (!output.open(path, spec) || !output.write_image(type, values.data()) || !output.close())
+    throw std::runtime_error(output.geterror());
+}
+
+template <class Value>
+void write_picture(const std::string& path, const std::string& format, OIIO::ImageSpec spec,
+                   const std::vector<Value>& values) {
+  const auto output = create(format);
+  // OpenImageIO 2.4 writes broken TIFF to memory, and libtiff notices a full disk by itself.
+  if (format == "tiff") return write_pixels(*output, path, spec, values);
+  OIIO::Filesystem::IOVecOutput memory;
+  OIIO::Filesystem::IOProxy* proxy = &memory;
+  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  write_pixels(*output, path, spec, values);
+  const std::vector<unsigned char>& bytes = memory.buffer();
+  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 std::vector<std::uint8_t> srgb_bytes(const Image& image) {
@@ -124,43 +166,42 @@ std::vector<std::uint8_t> srgb_bytes(const Image& image) {
 
 }  // namespace
 
-void check_image_file(const std::string& path, const ImageFileOptions& options) {
+void check_image_file(const std::string& path, glm::ivec2 size_px,
+                      const ImageFileOptions& options) {
   const std::string format = format_of(path, options.format);
-  static_cast<void>(image_spec(1, 1, format, options));
+  static_cast<void>(image_spec(size_px, format, options));
+  check_size(size_px, format);
 }
 
 void write_image(const std::string& path, const Image& image, const ImageFileOptions& options) {
   const std::string format = format_of(path, options.format);
-  const OIIO::ImageSpec spec = image_spec(image.width_px(), image.height_px(), format, options);
-  const auto output = open(path, format, spec);
+  const OIIO::ImageSpec spec = image_spec({image.width_px(), image.height_px()}, format, options);
   if (format == "openexr") {
     std::vector<float> values;
     values.reserve(image.pixels().size() * 3);
     for (const glm::vec3& pixel : image.pixels())
       values.insert(values.end(), &pixel.x, &pixel.x + 3);
-    write_pixels(path, *output, OIIO::TypeFloat, values);
+    write_picture(path, format, spec, values);
   } else {
-    write_pixels(path, *output, OIIO::TypeUInt8, srgb_bytes(image));
+    write_picture(path, format, spec, srgb_bytes(image));
   }
 }
 
-void write_exr(const std::string& path, int width_px, int height_px,
+void write_exr(const std::string& path, glm::ivec2 size_px,
                const std::vector<FloatChannel>& channels,
                const std::map<std::string, std::string>& metadata) {
   const std::size_t count = channels.size();
-  OIIO::ImageSpec spec(width_px, height_px, static_cast<int>(count), OIIO::TypeFloat);
+  OIIO::ImageSpec spec(size_px.x, size_px.y, static_cast<int>(count), OIIO::TypeFloat);
   spec.channelnames.clear();
   for (const FloatChannel& channel : channels) spec.channelnames.push_back(channel.name);
-  spec.attribute("Software", "terrview");
-  for (const auto& [key, value] : metadata) spec.attribute(key, value);
+  apply_metadata(spec, "openexr", metadata);
   const std::size_t pixels =
-      static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+      static_cast<std::size_t>(size_px.x) * static_cast<std::size_t>(size_px.y);
   std::vector<float> values(pixels * count);
   for (std::size_t c = 0; c < count; ++c) {
     for (std::size_t p = 0; p < pixels; ++p) values[p * count + c] = channels[c].values[p];
   }
-  const auto output = open(path, "openexr", spec);
-  write_pixels(path, *output, OIIO::TypeFloat, values);
+  write_picture(path, "openexr", spec, values);
 }
 
 }  // namespace terrview

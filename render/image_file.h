@@ -5,23 +5,28 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "render/image.h"
 
 namespace terrview {
 
 struct ImageFileOptions {
-  std::string
-      format;  // png, jpg, tif, exr, webp, ppm, or GDAL's name for one; empty = by extension
+  // png, jpg, tif, exr, webp, ppm, or GDAL's name for one; empty = by extension.
+  std::string format;
   std::map<std::string, std::string> creation;  // GDAL's names: QUALITY, ZLEVEL, COMPRESS
-  std::map<std::string, std::string> metadata;  // text kept where the format keeps any
+  // Text kept where the format keeps any: under its name in png and exr, as the image description
+  // in tif and jpg.
+  std::map<std::string, std::string> metadata;
 };
 
-// Throws InputError if no picture can be written to `path`: unknown extension or option. Called
-// before the work, it spares the user a lost picture.
-void check_image_file(const std::string& path, const ImageFileOptions& options);
+// Throws InputError if no picture can be written to `path`: unknown extension or option, or too
+// large for the format. Called before the work, it spares the user a lost picture.
+void check_image_file(const std::string& path, glm::ivec2 size_px, const ImageFileOptions& options);
 
-// Writes 8-bit sRGB, or linear floats for EXR. `path` is the name written to; the extension that
-// decides is that of `options.format` or of `path`. Throws InputError if it can't be written.
+// Writes 8-bit sRGB, or linear floats for EXR; the same bytes for the same picture. The format is
+// that of `options.format` or of the extension of `path`. Throws what check_image_file() throws,
+// and std::runtime_error with the reason, but not the path, if writing fails.
 void write_image(const std::string& path, const Image& image, const ImageFileOptions& options);
 
 // A named plane of floats, row by row.
@@ -30,8 +35,8 @@ struct FloatChannel {
   std::vector<float> values;
 };
 
-// Writes float channels of equal size as EXR.
-void write_exr(const std::string& path, int width_px, int height_px,
+// Writes float channels of equal size as EXR. Throws as write_image() does.
+void write_exr(const std::string& path, glm::ivec2 size_px,
                const std::vector<FloatChannel>& channels,
                const std::map<std::string, std::string>& metadata);
 
