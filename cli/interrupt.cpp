@@ -14,8 +14,10 @@ extern "C" void remember_interrupt(int /*signal*/) { interrupted = true; }
 }  // namespace
 
 void catch_interrupts() {
-  std::signal(SIGINT, remember_interrupt);
-  std::signal(SIGTERM, remember_interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // What the parent had ignored (nohup, a shell's background jobs) stays ignored.
+    if (std::signal(signal, remember_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 void check_interrupt() {

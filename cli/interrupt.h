@@ -5,7 +5,7 @@ namespace terrview {
 
 struct Interrupted {};
 
-// From now on SIGINT and SIGTERM are remembered instead of ending the program.
+// From now on SIGINT, SIGTERM and SIGHUP are remembered instead of ending the program.
 void catch_interrupts();
 
 // Throws Interrupted if one has come.
