@@ -1,7 +1,9 @@
 #include "cli/camera_json.h"
 
 #include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
@@ -52,7 +54,7 @@ class CameraReader {
     if (!size.is_array() || size.size() != 2 || !size[0].is_number_integer() ||
         !size[1].is_number_integer())
       refuse("size_px", "two whole numbers");
-    size_px = glm::ivec2(size[0].get<int>(), size[1].get<int>());
+    size_px = glm::ivec2(side_px(size[0]), side_px(size[1]));
   }
 
   void projection(std::optional<Projection>& value) const {
@@ -74,6 +76,12 @@ class CameraReader {
  private:
   [[noreturn]] void refuse(const std::string& key, const std::string& wanted) const {
     throw InputError("'" + path_ + "': " + key + ": give " + wanted);
+  }
+
+  [[nodiscard]] int side_px(const Json& number) const {
+    const auto side = number.get<std::int64_t>();
+    if (side < 1 || side > std::numeric_limits<int>::max()) refuse("size_px", "numbers above 0");
+    return static_cast<int>(side);
   }
 
   [[nodiscard]] double number_at(const Json& object, const char* key) const {
@@ -136,16 +144,17 @@ void apply_camera_file(ViewOptions& options) {
   const Json json = read_json(options.from_camera);
   const CameraReader reader(options.from_camera, json);
   reader.eye(options.eye);
+  reader.projection(options.projection);
+  const bool level = options.projection == Projection::cylindrical;
   // An aim on the command line replaces the file's.
   if (!options.look_at && !options.heading_deg) {
     reader.number("heading", options.heading_deg);
-    reader.number("pitch", options.pitch_deg);
+    if (!level) reader.number("pitch", options.pitch_deg);
   }
-  reader.number("roll", options.roll_deg);
+  if (!level) reader.number("roll", options.roll_deg);
   reader.number("fov", options.fov_deg);
   reader.number("width_m", options.width_m);
   reader.size(options.size_px);
-  reader.projection(options.projection);
   reader.earth(options.earth);
   if (options.earth != EarthModel::flat) reader.number("refraction", options.refraction);
   reader.number("z_scale", options.z_scale);

@@ -62,6 +62,19 @@ Place parse_place(const std::string& option, const std::string& text, const std:
 
 }  // namespace
 
+std::string lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+double parse_number(const std::string& option, const std::string& text) {
+  const auto value = number(text);
+  if (!value) refuse(option, text, "give a number");
+  return *value;
+}
+
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   std::size_t fewest, std::size_t most) {
   const auto parts = split(text, ',');

@@ -12,6 +12,12 @@
 
 namespace terrview {
 
+// ASCII letters in lower case.
+[[nodiscard]] std::string lower_case(std::string text);
+
+// The whole of `text` as a finite number.
+[[nodiscard]] double parse_number(const std::string& option, const std::string& text);
+
 // Numbers parted by commas, between `fewest` and `most` of them.
 [[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                                 std::size_t fewest, std::size_t most);

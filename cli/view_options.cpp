@@ -14,6 +14,15 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name,
   return app.add_option_function<std::string>(name, std::move(parse), help);
 }
 
+// CLI11's own numbers may be nan, infinite or hexadecimal.
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value,
+                        const std::string& help) {
+  return add_parsed(
+             app, name,
+             [&value, name](const std::string& text) { value = parse_number(name, text); }, help)
+      ->type_name("NUMBER");
+}
+
 template <class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
                         const std::map<std::string, Value>& choices, const std::string& help) {
@@ -46,19 +55,19 @@ void add_place_options(CLI::App& app, ViewOptions& options) {
                          [&](const std::string& text) { options.look_at = parse_look_at_xy(text); },
                          "The same in the first DEM's own coordinates")
                          ->type_name("X,Y[,Z]");
-  auto* heading = app.add_option("--heading", options.heading_deg,
-                                 "Degrees clockwise from true north; alone, pitch is 0");
+  auto* heading = add_number(app, "--heading", options.heading_deg,
+                             "Degrees clockwise from true north; alone, pitch is 0");
   eye->excludes(eye_xy);
   look_at->excludes(look_at_xy)->excludes(heading);
   look_at_xy->excludes(heading);
-  app.add_option("--pitch", options.pitch_deg, "Degrees up");
-  app.add_option("--roll", options.roll_deg, "Degrees clockwise as seen from behind the camera");
+  add_number(app, "--pitch", options.pitch_deg, "Degrees up");
+  add_number(app, "--roll", options.roll_deg, "Degrees clockwise as seen from behind the camera");
   app.add_option("--from-camera", options.from_camera, "Make the view of a --camera file again")
       ->type_name("FILE");
 }
 
 void add_projection_options(CLI::App& app, ViewOptions& options) {
-  app.add_option("--fov", options.fov_deg, "Horizontal field of view, degrees (default 60)");
+  add_number(app, "--fov", options.fov_deg, "Horizontal field of view, degrees (default 60)");
   add_parsed(
       app, "--size", [&](const std::string& text) { options.size_px = parse_size(text); },
       "Pixels (default 1280x720)")
@@ -73,11 +82,11 @@ void add_projection_options(CLI::App& app, ViewOptions& options) {
          "How the view falls on the picture (default perspective)")
       ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic"}))
       ->type_name("perspective|cylindrical|orthographic");
-  app.add_option("--width", options.width_m, "Metres across an orthographic picture");
+  add_number(app, "--width", options.width_m, "Metres across an orthographic picture");
 }
 
 void add_ground_options(CLI::App& app, ViewOptions& options) {
-  app.add_option("--z-scale", options.z_scale, "Multiply heights and an absolute ALT (default 1)");
+  add_number(app, "--z-scale", options.z_scale, "Multiply heights and an absolute ALT (default 1)");
   add_choice<SurfaceModel>(app, "--surface", options.surface,
                            {{"hyperboloid", SurfaceModel::hyperboloid},
                             {"triangles", SurfaceModel::triangles},
@@ -91,7 +100,7 @@ void add_ground_options(CLI::App& app, ViewOptions& options) {
          "curved (default), or flat: the affine map at the eye, no drop")
       ->check(CLI::IsMember({"curved", "flat"}))
       ->type_name("curved|flat");
-  app.add_option("--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
+  add_number(app, "--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
 }
 
 void add_light_options(CLI::App& app, ViewOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -48,8 +49,12 @@ struct Aim {
   double pitch_deg;
 };
 
+// Nearer to the plumb line than this, a point has no azimuth but rounding's.
+constexpr double kPlumb_m = 1e-3;
+
 Aim aim_at(const glm::dvec3& point_m) {
   const double ground_m = glm::length(glm::dvec2(point_m));
+  if (ground_m < kPlumb_m) return {0, point_m.z < 0 ? -90.0 : 90.0};
   double heading_deg = std::atan2(point_m.x, point_m.y) * kDegrees;
   if (heading_deg < 0) heading_deg += 360;
   return {heading_deg, std::atan2(point_m.z, ground_m) * kDegrees};
@@ -73,22 +78,58 @@ HeightRange whole_range(const Terrain& terrain) {
   return whole;
 }
 
+// What the options say of the view before any ground is known: all but the eye and the aim.
+ResolvedView known_view(const ViewOptions& options) {
+  ResolvedView view;
+  view.pitch_deg = options.pitch_deg.value_or(view.pitch_deg);
+  view.roll_deg = options.roll_deg.value_or(view.roll_deg);
+  view.fov_deg = options.fov_deg.value_or(view.fov_deg);
+  view.width_m = options.width_m.value_or(view.width_m);
+  view.size_px = options.size_px.value_or(view.size_px);
+  view.projection = options.projection.value_or(view.projection);
+  const ViewFrameOptions placed = frame_options(options);
+  view.earth = placed.earth;
+  view.refraction = placed.refraction;
+  view.z_scale = placed.z_scale;
+  return view;
+}
+
+void check_angles(const ViewOptions& options) {
+  if (std::abs(options.pitch_deg.value_or(0)) > 90)
+    throw InputError("--pitch: give degrees between -90 (down) and 90 (up)");
+  if (options.sun && std::abs(options.sun->elevation_rad) > 90 * kRadians)
+    throw InputError("--sun: the elevation is beyond 90 degrees: the order is AZ,EL");
+}
+
+void check_earth(const ViewOptions& options) {
+  if (options.earth == EarthModel::flat && options.refraction)
+    throw InputError("--refraction: light is straight over a flat Earth: leave it out");
+  if (options.refraction && std::abs(*options.refraction) > 1)
+    throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
+  if (options.z_scale && !(*options.z_scale > 0))
+    throw InputError("--z-scale: give a number above 0");
+}
+
+// A DEM without a coordinate system has no curved Earth.
+void check_curved(const ViewOptions& options, const Dem& dem) {
+  const char* option = options.refraction                    ? "--refraction"
+                       : options.earth == EarthModel::curved ? "--earth curved"
+                                                             : nullptr;
+  if (option)
+    throw InputError(std::string(option) + ": '" + dem.name +
+                     "' has no coordinate system, so it is flat: leave it out, or give one with "
+                     "--a-srs EPSG:CODE");
+}
+
 }  // namespace
 
 void prepare(ViewOptions& options) {
   if (!options.from_camera.empty()) apply_camera_file(options);
   if (!options.eye) throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
-  if (options.earth == EarthModel::flat && options.refraction)
-    throw InputError("--refraction: light is straight over a flat Earth: leave it out");
-  if (options.refraction && std::abs(*options.refraction) > 1)
-    throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
-  if (options.z_scale && !(*options.z_scale > 0 && std::isfinite(*options.z_scale)))
-    throw InputError("--z-scale: give a number above 0");
-  if (options.projection == Projection::cylindrical) {
-    if (options.pitch_deg.value_or(0) != 0 || options.roll_deg.value_or(0) != 0)
-      throw InputError("--pitch, --roll: a cylindrical view is level: leave them out");
-    options.pitch_deg = 0;
-  }
+  check_angles(options);
+  check_earth(options);
+  static_cast<void>(make_camera(known_view(options)));  // throws if there is no such camera
+  if (options.projection == Projection::cylindrical) options.pitch_deg = 0;
 }
 
 ViewFrameOptions frame_options(const ViewOptions& options) {
@@ -102,22 +143,15 @@ ViewFrameOptions frame_options(const ViewOptions& options) {
 
 ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
                           const std::vector<Dem>& dems) {
-  ResolvedView view;
+  if (!frame.is_geographic()) check_curved(options, dems.front());
+  ResolvedView view = known_view(options);
   view.eye = *options.eye;
   view.eye.height_m = frame.eye().height_m;
   view.eye.above_ground = false;
   const Aim aim = resolve_aim(options, frame, dems);
   view.heading_deg = aim.heading_deg;
   view.pitch_deg = aim.pitch_deg;
-  view.roll_deg = options.roll_deg.value_or(view.roll_deg);
-  view.fov_deg = options.fov_deg.value_or(view.fov_deg);
-  view.width_m = options.width_m.value_or(view.width_m);
-  view.size_px = options.size_px.value_or(view.size_px);
-  view.projection = options.projection.value_or(view.projection);
-  const ViewFrameOptions placed = frame_options(options);
-  view.earth = placed.earth;
-  view.refraction = placed.refraction;
-  view.z_scale = placed.z_scale;
+  if (!frame.is_geographic()) view.earth = EarthModel::flat;
   return view;
 }
 
