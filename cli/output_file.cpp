@@ -31,7 +31,7 @@ OutputFile::OutputFile(std::string path, bool overwrite)
   if (fs::is_directory(path_, ignored))
     throw InputError("'" + path_ + "': is a folder: name a file in it");
   if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored))
-    throw InputError("'" + path_ + "': is a device: name a file");
+    throw InputError("'" + path_ + "': is no regular file: name one");
   if (!overwrite && fs::exists(path_, ignored))
     throw InputError("'" + path_ + "': exists already: give --overwrite to replace it");
   const int file = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

@@ -4,7 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <numbers>
+#include <set>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
+#include "cli/view_metadata.h"
 #include "cli/view_options.h"
 #include "cli/view_outputs.h"
 #include "cli/view_setup.h"
@@ -39,20 +41,25 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+// The name without its folder, in the format's usual extension.
+std::string default_name(const ViewOptions& options) {
+  const std::string format = options.format.empty() ? "png" : lower_case(options.format);
+  return std::filesystem::path(options.dems.front()).stem().string() + "." +
+         (format == "gtiff" ? "tif" : format);
+}
+
 // The files a view will write, claimed before the work begins.
 class Outputs {
  public:
   explicit Outputs(const ViewOptions& options) {
-    std::string picture = options.output;
-    if (picture.empty())
-      picture = std::filesystem::path(options.dems.front()).stem().string() + ".png";
+    const std::string picture = options.output.empty() ? default_name(options) : options.output;
     check_image_file(picture, options.size_px.value_or(ResolvedView{}.size_px),
                      {options.format, options.creation, {}});
     check_layers_name(options.layers);
-    image = claim(picture, options.overwrite);
-    layers = claim(options.layers, options.overwrite);
-    stats = claim(options.stats, options.overwrite);
-    camera = claim(options.camera, options.overwrite);
+    image = claim(picture, options);
+    layers = claim(options.layers, options);
+    stats = claim(options.stats, options);
+    camera = claim(options.camera, options);
   }
 
   void commit() {
@@ -67,35 +74,20 @@ class Outputs {
   std::unique_ptr<OutputFile> camera;
 
  private:
-  static std::unique_ptr<OutputFile> claim(const std::string& path, bool overwrite) {
-    return path.empty() ? nullptr : std::make_unique<OutputFile>(path, overwrite);
+  std::unique_ptr<OutputFile> claim(const std::string& path, const ViewOptions& options) {
+    if (path.empty()) return nullptr;
+    if (!claimed_.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path))).second)
+      throw InputError("'" + path + "': named for two outputs: give each a name of its own");
+    for (const std::string& dem : options.dems) {
+      std::error_code not_both_exist;
+      if (std::filesystem::equivalent(path, dem, not_both_exist))
+        throw InputError("'" + path + "': is a DEM of this view: write to another file");
+    }
+    return std::make_unique<OutputFile>(path, options.overwrite);
   }
 
-  static void check_layers_name(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    if (!path.empty() && extension != ".tif" && extension != ".exr")
-      throw InputError("--layers " + path + ": unknown extension: end the name in .tif or .exr");
-  }
+  std::set<std::filesystem::path> claimed_;
 };
-
-// What the picture's metadata says: the camera, and what else changes the picture.
-Json describe(const ViewOptions& options, const ResolvedView& view, const SunPosition& sun) {
-  Json json;
-  json["program"] = std::string("terrview ") + kVersion;
-  json["camera"] = camera_json(view);
-  Json names = Json::array();
-  for (const std::string& dem : options.dems)
-    names.push_back(std::filesystem::path(dem).filename().string());
-  json["dems"] = names;
-  constexpr double kDegrees = 180 / std::numbers::pi;
-  json["sun"] = {{"azimuth", sun.azimuth_rad * kDegrees},
-                 {"elevation", sun.elevation_rad * kDegrees}};
-  json["shadows"] = !options.no_shadows;
-  json["surface"] = options.surface == SurfaceModel::hyperboloid ? "hyperboloid"
-                    : options.surface == SurfaceModel::triangles ? "triangles"
-                                                                 : "bilinear";
-  return json;
-}
 
 void say_what_was_read(const std::vector<Dem>& dems, const ViewFrame& frame) {
   for (const Dem& dem : dems) {
@@ -103,6 +95,8 @@ void say_what_was_read(const std::vector<Dem>& dems, const ViewFrame& frame) {
     if (dem.voids_filled > 0) std::fprintf(stderr, ", %zu void posts filled", dem.voids_filled);
     if (dem.voids_open > 0) std::fprintf(stderr, ", %zu void posts open", dem.voids_open);
     std::fputc('\n', stderr);
+    for (const std::string& warning : dem.warnings)
+      std::fprintf(stderr, "warning: %s\n", warning.c_str());
   }
   for (const CrsOperation& operation : frame.operations()) {
     std::fprintf(stderr, "%s: %s, accuracy ", operation.dem.c_str(), operation.name.c_str());
@@ -137,10 +131,9 @@ void write_outputs(const ViewOptions& options, const Outputs& outputs, const Fra
                    const ViewFrame& view_frame, const ResolvedView& view, const SunPosition& sun) {
   const std::string camera_text = camera_json(view).dump(2);
   outputs.image->fill([&](const std::string& path) {
-    write_image(path, frame.image,
-                {options.format,
-                 options.creation,
-                 {{"terrview:view", describe(options, view, sun).dump()}}});
+    write_image(
+        path, frame.image,
+        {options.format, options.creation, {{"terrview:view", view_metadata(options, view, sun)}}});
   });
   if (outputs.layers)
     outputs.layers->fill([&](const std::string& path) {

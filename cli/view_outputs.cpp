@@ -3,19 +3,26 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "cli/parse.h"
 #include "ingest/layers_file.h"
 #include "render/image_file.h"
 #include "render/parallel.h"
+#include "terrain/error.h"
 
 namespace terrview {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+std::string layers_extension(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string());
+}
 
 bool is_hit(const PixelSample& sample) { return sample.object_id != PixelSample::kNothing; }
 
@@ -89,13 +96,19 @@ double peak_memory_mib() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-// The angle of one pixel in the middle of the picture.
-double pixel_rad(const Camera& camera) {
+// The angle of one pixel in the middle of the picture, `reach_m` away if that matters.
+double pixel_rad(const Camera& camera, double reach_m) {
   const CameraOptions& options = camera.options();
   const double width_px = options.size_px.x;
-  return options.projection == Projection::perspective
-             ? std::tan(options.fov_rad / 2) / (width_px / 2)
-             : options.fov_rad / width_px;
+  switch (options.projection) {
+    case Projection::perspective:
+      return std::tan(options.fov_rad / 2) / (width_px / 2);
+    case Projection::cylindrical:
+      return options.fov_rad / width_px;
+    case Projection::orthographic:
+      return options.width_m / width_px / reach_m;
+  }
+  return 0;
 }
 
 Json eye_json(const ViewFrame::Eye& eye) {
@@ -118,11 +131,16 @@ double per(std::int64_t count, std::int64_t rays) {
 
 }  // namespace
 
+void check_layers_name(const std::string& path) {
+  const std::string extension = layers_extension(path);
+  if (!path.empty() && extension != ".tif" && extension != ".tiff" && extension != ".exr")
+    throw InputError("--layers " + path + ": unknown extension: end the name in .tif or .exr");
+}
+
 void write_layers_file(const std::string& path, const Frame& frame, const ViewFrame& view_frame,
                        int threads, const std::string& camera_json) {
-  const bool exr = path.size() >= 4 && path.compare(path.size() - 4, 4, ".exr") == 0;
-  (exr ? write_exr_layers : write_geotiff_layers)(path, frame.samples, view_frame, threads,
-                                                  camera_json);
+  (layers_extension(path) == ".exr" ? write_exr_layers : write_geotiff_layers)(
+      path, frame.samples, view_frame, threads, camera_json);
 }
 
 Json stats_json(const Frame& frame, const ViewFrame& view_frame, const Camera& camera,
@@ -151,7 +169,8 @@ Json stats_json(const Frame& frame, const ViewFrame& view_frame, const Camera& c
   json["eye"] = eye_json(view_frame.eye());
   json["refraction_multiplier"] = 1 - view_frame.terrain()->frame().refraction;
   json["errors"] = {{"track_cells", view_frame.track_error_cells()},
-                    {"pixel", view_frame.direction_error_rad() / pixel_rad(camera)}};
+                    {"pixel", view_frame.direction_error_rad() /
+                                  pixel_rad(camera, view_frame.terrain()->reach_m())}};
   json["voids"] = {{"filled", filled}, {"open", open}};
   return json;
 }

@@ -19,6 +19,9 @@ struct WorkSeconds {
   double write = 0;
 };
 
+// Throws InputError if the extension of a --layers file is not known; an empty path is none.
+void check_layers_name(const std::string& path);
+
 // --layers: Float64 bands for a GeoTIFF name, float channels for an EXR one.
 void write_layers_file(const std::string& path, const Frame& frame, const ViewFrame& view_frame,
                        int threads, const std::string& camera_json);

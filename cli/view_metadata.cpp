@@ -1,0 +1,62 @@
+#include "cli/view_metadata.h"
+
+#include <filesystem>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_line.h"
+
+namespace terrview {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The options that say how the DEMs are read, where they differ from the files' own word.
+Json reading_json(const DemOptions& dem) {
+  Json json = Json::object();
+  if (!dem.crs.empty()) json["a-srs"] = dem.crs;
+  if (dem.spacing) json["spacing"] = {dem.spacing->x, dem.spacing->y, dem.height_factor};
+  if (!dem.height_unit.empty()) json["z-unit"] = dem.height_unit;
+  if (dem.window) json["window"] = *dem.window;
+  if (dem.band != 1) json["band"] = dem.band;
+  if (dem.nodata) json["nodata"] = *dem.nodata;
+  if (!dem.fill_voids) json["voids"] = "open";
+  return json;
+}
+
+const char* name_of(SurfaceModel surface) {
+  switch (surface) {
+    case SurfaceModel::hyperboloid:
+      return "hyperboloid";
+    case SurfaceModel::triangles:
+      return "triangles";
+    case SurfaceModel::bilinear:
+      return "bilinear";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
+                          const SunPosition& sun) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  Json json;
+  json["program"] = std::string("terrview ") + kVersion;
+  json["camera"] = camera_json(view);
+  json["dems"] = Json::array();
+  for (const std::string& dem : options.dems)
+    json["dems"].push_back(std::filesystem::path(dem).filename().string());
+  const Json reading = reading_json(options.dem);
+  if (!reading.empty()) json["reading"] = reading;
+  json["sun"] = {{"azimuth", sun.azimuth_rad * kDegrees},
+                 {"elevation", sun.elevation_rad * kDegrees}};
+  json["shadows"] = !options.no_shadows;
+  json["surface"] = name_of(options.surface);
+  json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
+  // File names may be no UTF-8.
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+}  // namespace terrview
