@@ -76,7 +76,7 @@ class Outputs {
  private:
   std::unique_ptr<OutputFile> claim(const std::string& path, const ViewOptions& options) {
     if (path.empty()) return nullptr;
-    if (!claimed_.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path))).second)
+    if (!claimed_.insert(std::filesystem::absolute(path).lexically_normal()).second)
       throw InputError("'" + path + "': named for two outputs: give each a name of its own");
     for (const std::string& dem : options.dems) {
       std::error_code not_both_exist;
