@@ -12,6 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
 // The options that say how the DEMs are read, where they differ from the files' own word.
 Json reading_json(const DemOptions& dem) {
   Json json = Json::object();
@@ -46,8 +50,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["program"] = std::string("terrview ") + kVersion;
   json["camera"] = camera_json(view);
   json["dems"] = Json::array();
-  for (const std::string& dem : options.dems)
-    json["dems"].push_back(std::filesystem::path(dem).filename().string());
+  for (const std::string& dem : options.dems) json["dems"].push_back(file_name(dem));
   const Json reading = reading_json(options.dem);
   if (!reading.empty()) json["reading"] = reading;
   json["sun"] = {{"azimuth", sun.azimuth_rad * kDegrees},
@@ -55,6 +58,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["shadows"] = !options.no_shadows;
   json["surface"] = name_of(options.surface);
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
+  if (!options.colors.empty()) json["colors"] = file_name(options.colors);
   // File names may be no UTF-8.
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
