@@ -232,7 +232,7 @@ CrsTransform::CrsTransform(const std::string& dem, const std::string& crs_wkt,
                      ": check its geotransform, or give the right system with --a-srs EPSG:CODE");
   const Object chosen = first_usable(context, operations(context, crs.get(), *where).get());
   if (!chosen)
-    throw InputError("'" + dem + "': PROJ knows no better than a ballpark way from " +
+    throw InputError("'" + dem + "': where it lies, PROJ knows only a ballpark operation from " +
                      describe(crs.get()) + " to WGS 84: give the exact system with --a-srs, " +
                      "or warp the DEM with gdalwarp");
   impl_->operation.reset(proj_normalize_for_visualization(context, chosen.get()));
