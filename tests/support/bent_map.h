@@ -35,7 +35,8 @@ class BentGroundMap final : public GroundMap {
   [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
                                    double limit_m) const override {
     const double far_m = glm::length(line.origin_m) + from_m + spacing_m_;
-    const double bend = twist_per_m2_ * (6 * far_m + 4 * twist_per_m2_ * far_m * far_m * far_m);
+    const double twist = std::fabs(twist_per_m2_);
+    const double bend = twist * far_m * (6 + 4 * twist * far_m * far_m);
     const double step_m = std::clamp(std::sqrt(4 * kTrackError_cells * spacing_m_ / bend),
                                      1e-3 * spacing_m_, 0.7 * spacing_m_);
     return std::min(from_m + step_m, limit_m);

@@ -5,6 +5,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include <glm/geometric.hpp>
+
 namespace terrview::oracle {
 namespace {
 
@@ -83,11 +85,18 @@ std::string occlusion_fault(const Profile& profile, bool occluded, Real toleranc
   return occluded && !touches ? "occluded where nothing is" : "";
 }
 
+// Within a cell that a bent track turns in, uv lies on the chord over the turn.
+double uv_tolerance(const GroundMap& map, const HeightGrid& grid) {
+  if (dynamic_cast<const AffineGroundMap*>(&map) == nullptr)
+    return 10 * GroundMap::kTrackError_cells;
+  return 1e-10 * (grid.columns + grid.rows + map.reach_m() * glm::length(map.jacobian({0, 0})[0]));
+}
+
 // What a hit says about itself.
 std::string record_fault(const Terrain& terrain, const Ray& ray, const Hit& hit,
                          double tolerance_m) {
   if (!(hit.distance_m >= 0 && hit.distance_m <= ray.length_m)) return "the hit is not on the ray";
-  const glm::dvec3 on_ray = ray.origin_m + ray.direction * hit.distance_m;
+  const glm::dvec3 on_ray = ray.origin_m + glm::normalize(ray.direction) * hit.distance_m;
   const glm::dvec3 off = hit.position_m - on_ray;
   if (!(std::hypot(off.x, off.y, off.z) <= tolerance_m)) return "the position is not on the ray";
   if (hit.grid < 0 || hit.grid >= static_cast<int>(terrain.layers().size())) return "no such grid";
@@ -101,7 +110,7 @@ std::string record_fault(const Terrain& terrain, const Ray& ray, const Hit& hit,
       hit.uv.y > corner.y + 1)
     return "uv is not in the cell";
   const glm::dvec2 uv = layer.map->to_grid({hit.position_m.x, hit.position_m.y});
-  if (std::hypot(uv.x - hit.uv.x, uv.y - hit.uv.y) > GroundMap::kTrackError_cells)
+  if (std::hypot(uv.x - hit.uv.x, uv.y - hit.uv.y) > uv_tolerance(*layer.map, grid))
     return "uv is not below the position";
   return "";
 }
@@ -120,8 +129,10 @@ std::string hit_or_miss_fault(const Profile& profile, const Answer& answer, Real
 // or nowhere.
 bool runs_along_lines(const GroundMap& map, const Ray& ray) {
   const glm::dvec2 origin_m(ray.origin_m);
+  if (ray.direction.x == 0 && ray.direction.y == 0) return false;
   const glm::dvec2 step =
-      map.to_grid(origin_m + glm::dvec2(ray.direction) * map.reach_m()) - map.to_grid(origin_m);
+      map.to_grid(origin_m + glm::normalize(glm::dvec2(ray.direction)) * map.reach_m()) -
+      map.to_grid(origin_m);
   const double least = std::min({std::fabs(step.x), std::fabs(step.y), std::fabs(step.x - step.y)});
   return least <= kTolerance * std::max(std::fabs(step.x), std::fabs(step.y));
 }

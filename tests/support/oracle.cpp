@@ -36,42 +36,49 @@ struct Part {
   Real from_t, to_t;
 };
 
-Real ground_run(const Ray& ray) {
-  return std::hypot(static_cast<Real>(ray.direction.x), static_cast<Real>(ray.direction.y));
+// A ray, its direction one metre long, and its line on the ground.
+struct Line {
+  explicit Line(const Ray& ray)
+      : x(ray.origin_m.x), y(ray.origin_m.y), z(ray.origin_m.z), length(ray.length_m) {
+    const Real norm = std::hypot(Real(ray.direction.x), ray.direction.y, ray.direction.z);
+    dx = ray.direction.x / norm;
+    dy = ray.direction.y / norm;
+    dz = ray.direction.z / norm;
+    run = std::hypot(dx, dy);
+    ground.origin_m = {ray.origin_m.x, ray.origin_m.y};
+    if (run > 0) ground.direction = {static_cast<double>(dx / run), static_cast<double>(dy / run)};
+  }
+
+  // As far as the ray may meet ground: to its end, or to where it leaves the disc of `reach_m`. A
+  // vertical ray is a point of the ground at every t.
+  [[nodiscard]] Part within(Real reach_m) const {
+    if (run == 0) return {0, std::min(length, 4 * (std::fabs(z) + 1e31L))};
+    const Real along = (x * dx + y * dy) / run;
+    const Real chord2 = along * along + reach_m * reach_m - x * x - y * y;
+    if (chord2 < 0) return {0, -1};
+    return {0, std::min(length, (std::sqrt(chord2) - along) / run)};
+  }
+
+  Real x, y, z;
+  Real dx, dy, dz;
+  Real run;  // ground metres per metre
+  Real length;
+  GroundLine ground;
+};
+
+Crossing knot(const GroundMap& map, const Line& line, double g_m, Shift shift) {
+  const glm::dvec2 uv = map.to_grid(line.ground.at(g_m));
+  return {line.run > 0 ? g_m / line.run : 0, {uv.x + shift.u, uv.y + shift.v}};
 }
 
-// As far as the ray may meet ground: to its end, or to where it leaves the disc of `reach_m`.
-Part whole(const Ray& ray, Real reach_m) {
-  const Real x = ray.origin_m.x;
-  const Real y = ray.origin_m.y;
-  const Real run = ground_run(ray);
-  const Real length = ray.length_m;
-  if (run == 0) return {0, std::min(length, 4 * (std::fabs(Real(ray.origin_m.z)) + 1e31L))};
-  const Real along = (x * ray.direction.x + y * ray.direction.y) / run;
-  const Real chord2 = along * along + reach_m * reach_m - x * x - y * y;
-  if (chord2 < 0) return {0, -1};
-  return {0, std::min(length, (std::sqrt(chord2) - along) / run)};
-}
-
-Crossing knot(const GroundMap& map, const GroundLine& line, double g_m, Real run, Shift shift) {
-  const glm::dvec2 uv = map.to_grid(line.at(g_m));
-  return {run > 0 ? g_m / run : 0, {uv.x + shift.u, uv.y + shift.v}};
-}
-
-Track track_of(const GroundMap& map, const Ray& ray, Part part, Shift shift) {
-  const Real run = ground_run(ray);
-  GroundLine line;
-  line.origin_m = {ray.origin_m.x, ray.origin_m.y};
-  if (run > 0)
-    line.direction = {static_cast<double>(ray.direction.x / run),
-                      static_cast<double>(ray.direction.y / run)};
-  auto g_m = static_cast<double>(part.from_t * run);
-  const auto limit_m = static_cast<double>(part.to_t * run);
-  Track track{{knot(map, line, g_m, run, shift)}};
+Track track_of(const GroundMap& map, const Line& line, Part part, Shift shift) {
+  auto g_m = static_cast<double>(part.from_t * line.run);
+  const auto limit_m = static_cast<double>(part.to_t * line.run);
+  Track track{{knot(map, line, g_m, shift)}};
   while (g_m < limit_m) {
-    const double next_m = map.piece_end_m(line, g_m, limit_m);
+    const double next_m = map.piece_end_m(line.ground, g_m, limit_m);
     if (!(next_m > g_m && next_m <= limit_m)) throw std::logic_error("a piece must go forward");
-    track.knots.push_back(knot(map, line, next_m, run, shift));
+    track.knots.push_back(knot(map, line, next_m, shift));
     g_m = next_m;
   }
   if (track.knots.size() == 1) track.knots.push_back(track.knots.front());
@@ -150,38 +157,37 @@ Real curvature_per_m(const VerticalFrame& frame, Real x_m, Real y_m) {
 
 Real stretch(Real gamma) { return gamma > 0 ? gamma / std::sin(gamma) : 1; }
 
-struct LayerView {
+// The ground of one cell as it stands under a ray.
+struct CellView {
   const Terrain& terrain;
-  const Ray& ray;
+  const Line& line;
   const HeightGrid& grid;
+  glm::ivec2 cell;
 
-  [[nodiscard]] Real z_at(Real t, glm::ivec2 cell, Uv uv) const {
-    const VerticalFrame& frame = terrain.frame();
-    const Real h = scene_height_m(grid, terrain.model(), cell, uv.u, uv.v, frame.z_scale);
-    return z_m(frame, ray.origin_m.x + ray.direction.x * t * moves(),
-               ray.origin_m.y + ray.direction.y * t * moves(), h);
+  [[nodiscard]] Real z_at(const Crossing& at) const {
+    const Real moved = line.run > 0 ? at.t : 0;
+    return z_m(terrain.frame(), line.x + line.dx * moved, line.y + line.dy * moved, height_at(at));
   }
 
-  // A vertical ray's t says nothing about where it stands.
-  [[nodiscard]] Real moves() const { return ground_run(ray) > 0 ? 1 : 0; }
-
   // The bilinear patch's height in the middle over the chord's, times dz/dh where the span begins.
-  [[nodiscard]] Real bulge_m(const Crossing& a, const Crossing& b, glm::ivec2 cell) const {
+  [[nodiscard]] Real bulge_m(const Crossing& a, const Crossing& b) const {
+    if (terrain.model() != SurfaceModel::bilinear) return 0;
     const Real twist = height(grid, cell.x, cell.y) - height(grid, cell.x + 1, cell.y) -
                        height(grid, cell.x, cell.y + 1) + height(grid, cell.x + 1, cell.y + 1);
     const VerticalFrame& frame = terrain.frame();
-    const Real h = scene_height_m(grid, terrain.model(), cell, a.uv.u, a.uv.v, frame.z_scale);
     return -twist * frame.z_scale * (b.uv.u - a.uv.u) * (b.uv.v - a.uv.v) / 4 *
-           z_per_height(frame, ray.origin_m.x + ray.direction.x * a.t * moves(),
-                        ray.origin_m.y + ray.direction.y * a.t * moves(), h);
+           z_per_height(frame, line.x + line.dx * a.t, line.y + line.dy * a.t, height_at(a));
+  }
+
+  [[nodiscard]] Real height_at(const Crossing& at) const {
+    return scene_height_m(grid, terrain.model(), cell, at.uv.u, at.uv.v, terrain.frame().z_scale);
   }
 };
 
-std::vector<Span> spans_of(const Terrain& terrain, const Ray& ray, std::size_t layer, Part part,
+std::vector<Span> spans_of(const Terrain& terrain, const Line& line, std::size_t layer, Part part,
                            Shift shift) {
   const TerrainLayer& here = terrain.layers()[layer];
-  const LayerView view{terrain, ray, *here.grid};
-  const Track track = track_of(*here.map, ray, part, shift);
+  const Track track = track_of(*here.map, line, part, shift);
   const std::vector<Crossing> crossings = crossings_of(track, *here.grid, terrain.model());
   const bool is_point = part.from_t == part.to_t;
   std::vector<Span> spans;
@@ -191,30 +197,29 @@ std::vector<Span> spans_of(const Terrain& terrain, const Ray& ray, std::size_t l
     if (a.t == b.t && !is_point) continue;
     glm::ivec2 cell;
     if (!find_cell(*here.grid, track.at((a.t + b.t) / 2), cell)) continue;
-    const Real bulge =
-        terrain.model() == SurfaceModel::bilinear ? view.bulge_m(a, b, cell) : Real{0};
-    spans.push_back({a.t, b.t, view.z_at(a.t, cell, a.uv), view.z_at(b.t, cell, b.uv), bulge,
-                     static_cast<int>(layer), cell});
+    const CellView view{terrain, line, *here.grid, cell};
+    spans.push_back(
+        {a.t, b.t, view.z_at(a), view.z_at(b), view.bulge_m(a, b), static_cast<int>(layer), cell});
     if (is_point) break;
   }
   return spans;
 }
 
 // The spans of `layer`, and where it has no ground those of the layers after it.
-void add_spans(std::vector<Span>& out, const Terrain& terrain, const Ray& ray, std::size_t layer,
+void add_spans(std::vector<Span>& out, const Terrain& terrain, const Line& line, std::size_t layer,
                Part part, Shift shift) {
   if (layer == terrain.layers().size()) return;
   Real covered_t = part.from_t;
   bool is_covered = false;
-  for (const Span& span : spans_of(terrain, ray, layer, part, shift)) {
+  for (const Span& span : spans_of(terrain, line, layer, part, shift)) {
     if (span.from_t > covered_t)
-      add_spans(out, terrain, ray, layer + 1, {covered_t, span.from_t}, shift);
+      add_spans(out, terrain, line, layer + 1, {covered_t, span.from_t}, shift);
     out.push_back(span);
     covered_t = span.to_t;
     is_covered = true;
   }
   if (covered_t < part.to_t || !is_covered)
-    add_spans(out, terrain, ray, layer + 1, {covered_t, part.to_t}, shift);
+    add_spans(out, terrain, line, layer + 1, {covered_t, part.to_t}, shift);
 }
 
 }  // namespace
@@ -265,9 +270,10 @@ bool Profile::continues(std::size_t span) const {
 }
 
 Profile profile(const Terrain& terrain, const Ray& ray, Shift shift_cells) {
-  Profile out{ray.origin_m.z, ray.direction.z, ground_run(ray), {}};
-  const Part part = whole(ray, terrain.reach_m());
-  if (part.to_t >= 0) add_spans(out.spans, terrain, ray, 0, part, shift_cells);
+  const Line line(ray);
+  Profile out{line.z, line.dz, line.run, {}};
+  const Part part = line.within(terrain.reach_m());
+  if (part.to_t >= 0) add_spans(out.spans, terrain, line, 0, part, shift_cells);
   return out;
 }
 

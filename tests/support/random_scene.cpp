@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "tests/support/bent_map.h"
+
 namespace terrview {
 namespace {
 
@@ -208,12 +210,23 @@ Terrain random_layers(Random& random, SurfaceModel model) {
   return {layers, random_frame(random, *layers.front().grid, reach_m, Position::general), model};
 }
 
+Terrain random_bent_terrain(Random& random, SurfaceModel model) {
+  const auto grid = std::make_shared<const HeightGrid>(random_grid(random));
+  const glm::dvec2 eye_uv(random.uniform(0, grid->columns - 1), random.uniform(0, grid->rows - 1));
+  const double spacing_m = random.log_uniform(1, 100);
+  const double reach_m = spacing_m * (grid->columns + grid->rows);
+  const double twist_per_m2 = random.sign() * random.uniform(0.2, 8) / (reach_m * reach_m);
+  const auto map = std::make_shared<const BentGroundMap>(eye_uv, spacing_m, twist_per_m2, reach_m);
+  return {{{grid, map}}, random_frame(random, *grid, reach_m, Position::general), model};
+}
+
 Ray random_ray(Random& random, const Terrain& terrain, Position position) {
   Ray ray;
   ray.origin_m = random_origin(random, terrain, position);
   ray.direction = position == Position::special
                       ? random_special_direction(random, terrain, ray.origin_m)
                       : random_direction(random, terrain, ray.origin_m);
+  if (random.chance(0.3)) ray.direction *= random.log_uniform(1e-3, 1e3);
   if (random.chance(0.2)) ray.length_m = random.uniform(0, 1) * terrain.reach_m();
   return ray;
 }

@@ -44,6 +44,10 @@ enum class Position { general, special };
 // Two to four grids of unlike spacings that overlap about the eye.
 [[nodiscard]] Terrain random_layers(Random& random, SurfaceModel model);
 
+// A random grid under a BentGroundMap, whose tracks bend within cells, leave the grid and come
+// back.
+[[nodiscard]] Terrain random_bent_terrain(Random& random, SurfaceModel model);
+
 // From the eye or from anywhere near the ground, in any direction: grazing, level, towards the
 // ground, and some of limited length. In special position: vertical, along a line of the grid, or
 // through a post, from posts and from the ground itself.

@@ -86,6 +86,15 @@ void expect_agreement_over_several_grids(SurfaceModel model, std::uint64_t seed,
   EXPECT_EQ(tally.beside, 0);
 }
 
+void expect_agreement_on_bent_tracks(SurfaceModel model, std::uint64_t seed, int rays) {
+  const Tally tally = trace_and_judge(seed, rays, Position::general, [model](Random& random) {
+    return random_bent_terrain(random, model);
+  });
+  expect_every_outcome(tally);
+  EXPECT_LE(tally.within_tolerance, rays / 100'000);
+  EXPECT_EQ(tally.beside, 0);
+}
+
 class Tracer : public ModelTest {};
 
 TEST_P(Tracer, AgreesWithAllCrossingsSorted) {
@@ -100,18 +109,26 @@ TEST_P(Tracer, AgreesOverSeveralGridsInOrderOfPreference) {
   expect_agreement_over_several_grids(GetParam(), /*seed=*/3, /*rays=*/30'000);
 }
 
+TEST_P(Tracer, AgreesOnTracksThatBendAndComeBack) {
+  expect_agreement_on_bent_tracks(GetParam(), /*seed=*/4, /*rays=*/10'000);
+}
+
 class TracerLong : public ModelTest {};
 
 TEST_P(TracerLong, AgreesWithAllCrossingsSorted) {
-  expect_agreement_in_general_position(GetParam(), /*seed=*/4, /*rays=*/1'000'000);
+  expect_agreement_in_general_position(GetParam(), /*seed=*/5, /*rays=*/1'000'000);
 }
 
 TEST_P(TracerLong, AgreesOnRaysThroughPostsAndAlongLines) {
-  expect_agreement_in_special_position(GetParam(), /*seed=*/5, /*rays=*/1'000'000);
+  expect_agreement_in_special_position(GetParam(), /*seed=*/6, /*rays=*/1'000'000);
 }
 
 TEST_P(TracerLong, AgreesOverSeveralGridsInOrderOfPreference) {
-  expect_agreement_over_several_grids(GetParam(), /*seed=*/6, /*rays=*/1'000'000);
+  expect_agreement_over_several_grids(GetParam(), /*seed=*/7, /*rays=*/1'000'000);
+}
+
+TEST_P(TracerLong, AgreesOnTracksThatBendAndComeBack) {
+  expect_agreement_on_bent_tracks(GetParam(), /*seed=*/8, /*rays=*/200'000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Tracer, testing::ValuesIn(kSurfaceModels), model_name);
