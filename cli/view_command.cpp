@@ -188,6 +188,7 @@ int run_view(const std::vector<std::string>& args) {
     ProgressBar bar("rendering", bar_shown);
     frame = render(scene, camera,
                    {.threads = options.threads,
+                    .coherence = options.coherence,
                     .keep_samples = outputs.layers != nullptr,
                     .progress = [&](double share) {
                       check_interrupt();

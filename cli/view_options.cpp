@@ -100,6 +100,11 @@ void add_ground_options(CLI::App& app, ViewOptions& options) {
          "curved (default), or flat: the affine map at the eye, no drop")
       ->check(CLI::IsMember({"curved", "flat"}))
       ->type_name("curved|flat");
+  app.add_option_function<std::string>(
+         "--coherence", [&](const std::string& text) { options.coherence = text == "on"; },
+         "off: trace every ray on its own, cell by cell; the same picture, later")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->type_name("on|off");
   add_number(app, "--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
 }
 

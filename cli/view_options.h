@@ -40,6 +40,7 @@ struct ViewOptions {
   std::string from_camera;
 
   SurfaceModel surface = SurfaceModel::hyperboloid;
+  bool coherence = true;
   NormalKind normals = NormalKind::smooth;
   std::optional<SunPosition> sun;
   bool no_shadows = false;

@@ -29,7 +29,7 @@ bool is_hit(const PixelSample& sample) { return sample.object_id != PixelSample:
 // Calls fill(sample, index) for every pixel that hit something.
 template <class Fill>
 void for_each_hit(const Raster<PixelSample>& samples, int threads, const Fill& fill) {
-  parallel_rows(samples.height_px(), threads, [&](int row) {
+  parallel_for(samples.height_px(), threads, [&](int row) {
     for (int column = 0; column < samples.width_px(); ++column) {
       const PixelSample& sample = samples.at(column, row);
       const auto index =
@@ -159,7 +159,7 @@ Json stats_json(const Frame& frame, const ViewFrame& view_frame, const Camera& c
   json["hits"] = counts.hits;
   json["shadow_rays"] = counts.shadow_rays;
   json["tests_per_ray"] = per(counts.tests, counts.rays);
-  json["nodes_per_ray"] = 0;
+  json["nodes_per_ray"] = per(counts.nodes, counts.rays);
   json["seconds"] = {{"read", seconds.read},
                      {"build", seconds.build},
                      {"trace", seconds.render * trace_share},

@@ -287,8 +287,9 @@ ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
 
   impl_->eye.ground_m = impl_->ground_under_eye();
   const VerticalFrame frame = impl_->vertical_frame(eye);
-  impl_->terrain = std::make_shared<Terrain>(
-      impl_->curved ? impl_->curved_layers(frame) : impl_->flat_layers(), frame, options.surface);
+  impl_->terrain =
+      std::make_shared<Terrain>(impl_->curved ? impl_->curved_layers(frame) : impl_->flat_layers(),
+                                frame, options.surface, options.search);
 }
 
 ViewFrame::~ViewFrame() = default;

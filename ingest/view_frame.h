@@ -28,6 +28,7 @@ struct ViewFrameOptions {
   double refraction = 0.13;  // geodetic k
   double z_scale = 1;
   SurfaceModel surface = SurfaceModel::hyperboloid;
+  Search search = Search::pyramid;
 };
 
 // An eye's place: over a geographic point, or over a point of the first DEM's own coordinates. The

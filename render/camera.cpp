@@ -98,4 +98,17 @@ std::optional<glm::dvec2> Camera::project(const glm::dvec3& point_m) const {
   return pixel(right_m / depth_m / k, up_m / depth_m / k);
 }
 
+std::optional<ColumnView> column_view(const Camera& camera) {
+  const CameraOptions& options = camera.options();
+  if (options.projection == Projection::orthographic || options.pitch_rad != 0 ||
+      options.roll_rad != 0)
+    return std::nullopt;
+  ColumnView view;
+  for (int column = 0; column < options.size_px.x; ++column)
+    view.across.emplace_back(camera.ray({column + 0.5, 0.5}).direction);
+  for (int row = 0; row < options.size_px.y; ++row)
+    view.rise.push_back(camera.ray({0.5, row + 0.5}).direction.z);
+  return view;
+}
+
 }  // namespace terrview

@@ -13,6 +13,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "terrain/column_tracer.h"
 #include "terrain/ray.h"
 
 namespace terrview {
@@ -54,5 +55,8 @@ class Camera {
   glm::dvec3 right_;
   glm::dvec3 up_;
 };
+
+// The camera's rays column by column, where its columns are vertical planes through the eye.
+[[nodiscard]] std::optional<ColumnView> column_view(const Camera& camera);
 
 }  // namespace terrview

@@ -5,9 +5,9 @@
 
 namespace terrview {
 
-void parallel_rows(int count, int threads, const std::function<void(int row)>& work) {
+void parallel_for(int count, int threads, const std::function<void(int index)>& work) {
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(0, count, [&](int row) { work(row); }); });
+  arena.execute([&] { tbb::parallel_for(0, count, [&](int index) { work(index); }); });
 }
 
 }  // namespace terrview

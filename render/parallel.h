@@ -7,6 +7,6 @@ namespace terrview {
 
 // Calls work(0) ... work(count - 1), each once, in any order on up to `threads` threads (0 = all).
 // What a call throws ends the loop and is thrown again.
-void parallel_rows(int count, int threads, const std::function<void(int row)>& work);
+void parallel_for(int count, int threads, const std::function<void(int index)>& work);
 
 }  // namespace terrview

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/parallel.h"
+#include "terrain/column_tracer.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
@@ -22,46 +23,94 @@ glm::vec3 sky_color(const SkyGradient& sky, const glm::dvec3& direction) {
   return glm::mix(sky.horizon, sky.zenith, static_cast<float>(height));
 }
 
+// A rectangle of pixels that one thread renders at a time.
+struct Block {
+  glm::ivec2 first;
+  glm::ivec2 size;
+};
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Renders rows of one frame. Pixels do not depend on each other, so any thread may take any row.
-class RowRenderer {
+// Renders blocks of one frame. Pixels do not depend on each other, so any thread may take any
+// block.
+class BlockRenderer {
  public:
-  RowRenderer(const Scene& scene, const Camera& camera, Frame& frame)
-      : scene_(scene), camera_(camera), frame_(frame) {}
+  BlockRenderer(const Scene& scene, const Camera& camera, bool coherence, Frame& frame)
+      : scene_(scene), camera_(camera), frame_(frame) {
+    if (coherence && has_columns(*scene.terrain)) columns_ = column_view(camera);
+  }
 
-  RenderCounts render_row(int row) const {
+  // Strips of columns where columns are coherent, else rows.
+  [[nodiscard]] std::vector<Block> blocks() const {
+    const glm::ivec2 size = camera_.options().size_px;
+    const int step = columns_ ? kStripColumns : 1;
+    std::vector<Block> blocks;
+    if (columns_) {
+      for (int column = 0; column < size.x; column += step)
+        blocks.push_back({{column, 0}, {std::min(step, size.x - column), size.y}});
+    } else {
+      for (int row = 0; row < size.y; ++row) blocks.push_back({{0, row}, {size.x, 1}});
+    }
+    return blocks;
+  }
+
+  RenderCounts render(const Block& block) const {
     RenderCounts counts;
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<std::optional<Hit>> hits = trace_row(row, counts);
+    const std::vector<std::optional<Hit>> hits = trace(block, counts);
+    counts.rays = static_cast<std::int64_t>(hits.size());
     counts.trace_s = seconds_since(start);
     const auto traced = std::chrono::steady_clock::now();
-    for (int column = 0; column < frame_.image.width_px(); ++column) {
-      const auto& hit = hits[static_cast<std::size_t>(column)];
-      frame_.image.at(column, row) = hit ? shade_ground(*hit, {column, row}, counts)
-                                         : sky_color(scene_.sky, ray({column, row}).direction);
+    auto hit = hits.begin();
+    for (int column = block.first.x; column < block.first.x + block.size.x; ++column) {
+      for (int row = block.first.y; row < block.first.y + block.size.y; ++row, ++hit) {
+        counts.hits += hit->has_value() ? 1 : 0;
+        frame_.image.at(column, row) = *hit ? shade_ground(**hit, {column, row}, counts)
+                                            : sky_color(scene_.sky, ray({column, row}).direction);
+      }
     }
     counts.shade_s = seconds_since(traced);
     return counts;
   }
 
  private:
+  static constexpr int kStripColumns = 16;
+
   [[nodiscard]] Ray ray(glm::ivec2 pixel) const { return camera_.ray(glm::dvec2(pixel) + 0.5); }
 
-  std::vector<std::optional<Hit>> trace_row(int row, RenderCounts& counts) const {
-    const int width_px = frame_.image.width_px();
-    std::vector<std::optional<Hit>> hits(static_cast<std::size_t>(width_px));
+  // The hits of a block, column by column.
+  std::vector<std::optional<Hit>> trace(const Block& block, RenderCounts& counts) const {
+    std::vector<std::optional<Hit>> hits;
+    hits.reserve(static_cast<std::size_t>(block.size.x) * static_cast<std::size_t>(block.size.y));
     TraceCounts traced;
-    for (int column = 0; column < width_px; ++column) {
-      auto& hit = hits[static_cast<std::size_t>(column)];
-      hit = scene_.terrain->first_hit(ray({column, row}), &traced);
-      if (hit) ++counts.hits;
+    if (columns_) {
+      trace_strip(block, hits, traced);
+    } else {
+      for (int column = block.first.x; column < block.first.x + block.size.x; ++column) {
+        for (int row = block.first.y; row < block.first.y + block.size.y; ++row)
+          hits.push_back(scene_.terrain->first_hit(ray({column, row}), &traced));
+      }
     }
-    counts.rays = width_px;
     counts.tests = traced.tests;
+    counts.nodes = traced.nodes;
     return hits;
+  }
+
+  void trace_strip(const Block& block, std::vector<std::optional<Hit>>& hits,
+                   TraceCounts& counts) const {
+    std::vector<ColumnHit> met(hits.capacity());
+    trace_columns(*scene_.terrain, *columns_, block.first.x, block.size.x, met, counts);
+    auto next = met.begin();
+    for (int column = block.first.x; column < block.first.x + block.size.x; ++column) {
+      for (int row = 0; row < block.size.y; ++row, ++next) {
+        if (next->g_m < 0)
+          hits.emplace_back();
+        else
+          hits.emplace_back(column_hit(*columns_, column, row, *next));
+      }
+    }
   }
 
   glm::vec3 shade_ground(const Hit& hit, glm::ivec2 pixel, RenderCounts& counts) const {
@@ -93,6 +142,7 @@ class RowRenderer {
   const Scene& scene_;
   const Camera& camera_;
   Frame& frame_;
+  std::optional<ColumnView> columns_;
 };
 
 }  // namespace
@@ -101,6 +151,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
   rays += other.rays;
   hits += other.hits;
   tests += other.tests;
+  nodes += other.nodes;
   shadow_rays += other.shadow_rays;
   trace_s += other.trace_s;
   shade_s += other.shade_s;
@@ -112,16 +163,19 @@ Frame render(const Scene& scene, const Camera& camera, const RenderOptions& opti
   Frame frame;
   frame.image = Image(size.x, size.y);
   if (options.keep_samples) frame.samples = Raster<PixelSample>(size.x, size.y);
-  const RowRenderer renderer(scene, camera, frame);
+  const BlockRenderer renderer(scene, camera, options.coherence, frame);
+  const std::vector<Block> blocks = renderer.blocks();
+  const int count = static_cast<int>(blocks.size());
 
-  std::vector<RenderCounts> counts(static_cast<std::size_t>(size.y));
-  std::atomic<int> rows_done{0};
-  parallel_rows(size.y, options.threads, [&](int row) {
-    counts[static_cast<std::size_t>(row)] = renderer.render_row(row);
-    const int done = ++rows_done;
-    if (options.progress) options.progress(static_cast<double>(done) / size.y);
+  std::vector<RenderCounts> counts(blocks.size());
+  std::atomic<int> blocks_done{0};
+  parallel_for(count, options.threads, [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    counts[i] = renderer.render(blocks[i]);
+    const int done = ++blocks_done;
+    if (options.progress) options.progress(static_cast<double>(done) / count);
   });
-  for (const RenderCounts& row : counts) frame.counts += row;
+  for (const RenderCounts& block : counts) frame.counts += block;
   return frame;
 }
 

@@ -14,6 +14,7 @@ namespace terrview {
 
 struct RenderOptions {
   int threads = 0;            // 0 = all the processor has; never changes the picture
+  bool coherence = true;      // false: every ray on its own; the same picture, later
   bool keep_samples = false;  // fill Frame::samples
   // Called from any thread with the share done, 0 to 1; what it throws ends the rendering.
   std::function<void(double share)> progress;
@@ -33,6 +34,7 @@ struct RenderCounts {
   std::int64_t rays = 0;  // from the eye
   std::int64_t hits = 0;
   std::int64_t tests = 0;  // spans of ground compared with those rays
+  std::int64_t nodes = 0;  // blocks of the pyramid compared with them
   std::int64_t shadow_rays = 0;
   double trace_s = 0;  // summed over the threads
   double shade_s = 0;
