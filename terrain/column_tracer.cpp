@@ -113,6 +113,7 @@ HWY_INLINE void store(const Registers& r, ColumnState& s) {
 struct NextCrossing {
   V g, u, v, z;
   M over_column;
+  M has_ground;  // the cell walked to there
 };
 
 // The grid under a strip of columns.
@@ -122,7 +123,8 @@ class VectorGrid {
       : frame_(terrain.frame()),
         heights_m_(terrain.layers()[0].grid->heights_m.data()),
         columns_(of(terrain.layers()[0].grid->columns)),
-        rows_(of(terrain.layers()[0].grid->rows)) {}
+        rows_(of(terrain.layers()[0].grid->rows)),
+        has_holes_(terrain.has_holes()) {}
 
   HWY_INLINE NextCrossing next_crossing(const Registers& r) const {
     V column_line;
@@ -143,8 +145,18 @@ class VectorGrid {
     const V first_column = hn::IfThenElse(next.over_column, column_line, r.column);
     const V first_row = hn::IfThenElse(next.over_column, r.row, row_line);
     const V post = first_row * columns_ + first_column;
+    const V along_edge = hn::IfThenElse(next.over_column, columns_, of(1));
     const V from = gather(post);
-    const V to = gather(post + hn::IfThenElse(next.over_column, columns_, of(1)));
+    const V to = gather(post + along_edge);
+    next.has_ground = from == from;
+    if (has_holes_) {
+      // To the edge of the cell opposite the one crossed.
+      const V stride = hn::IfThenElse(next.over_column, of(1), columns_);
+      const M forward = hn::IfThenElse(next.over_column, r.rate_u, r.rate_v) > of(0);
+      const V across = hn::IfThenElse(forward, of(0) - stride, stride);
+      const V sum = from + to + gather(post + across) + gather(post + across + along_edge);
+      next.has_ground = sum == sum;
+    }
     next.z = frame_.z(r.x * next.g, r.y * next.g, from + share * (to - from));
     return next;
   }
@@ -174,6 +186,7 @@ class VectorGrid {
   const float* heights_m_;
   V columns_;
   V rows_;
+  bool has_holes_;
 };
 
 HWY_INLINE void advance(Registers& r, const NextCrossing& next) {
@@ -216,45 +229,85 @@ HWY_INLINE void for_each_lane(std::uint32_t lanes, const Act& act) {
   for (; lanes != 0; lanes &= lanes - 1) act(__builtin_ctz(lanes));
 }
 
-std::int64_t run_columns(const Terrain& terrain, ColumnWalk& walk) {
-  const VectorGrid grid(terrain);
-  const V ceiling = of(terrain.ceiling_m());
-  Registers r = load(walk.state, walk.active());
-  std::int64_t tests = 0;
-  while (walk.active() != 0) {
-    const NextCrossing next = grid.next_crossing(r);
-    const M cut = next.g > r.end;
-    const M above = hn::And(r.slope >= of(0), r.slope * r.g > ceiling);
-    if ((bits_of(hn::Or(cut, above)) & walk.active()) != 0) {
-      store(r, walk.state);
-      for_each_lane(bits_of(above) & walk.active(), [&](int lane) { walk.finish(lane); });
-      for_each_lane(bits_of(cut) & walk.active(), [&](int lane) { walk.next_piece(lane); });
-      r = load(walk.state, walk.active());
-      continue;
+// The loop over the crossings of one strip.
+class ColumnLoop {
+ public:
+  ColumnLoop(const Terrain& terrain, ColumnWalk& walk)
+      : grid_(terrain), walk_(walk), ceiling_(of(terrain.ceiling_m())) {}
+
+  std::int64_t run() {
+    Registers r = load(walk_.state, walk_.active());
+    // Lanes whose last span was ground; where a lane enters the grid its rays below are dropped.
+    std::uint32_t on_ground = walk_.active();
+    while (walk_.active() != 0) {
+      const NextCrossing next = grid_.next_crossing(r);
+      const std::uint32_t ground = bits_of(next.has_ground);
+      if (settle_rare(r, next, ground & ~on_ground)) {
+        on_ground |= ground;
+        continue;
+      }
+      on_ground = ground;
+      const std::uint32_t active = walk_.active();
+      trace_span(r, next, ground);
+      advance(r, next);
+      if (walk_.active() != active) park(r, walk_.active());
+      on_ground |= leave(r);
     }
-    const std::uint32_t active = walk.active();
-    tests += __builtin_popcount(active);
+    return tests_;
+  }
+
+ private:
+  // Ends rays above everything, loads track pieces, and drops rays that come over an edge of the
+  // ground below it. True if there was anything of the kind.
+  HWY_INLINE bool settle_rare(Registers& r, const NextCrossing& next, std::uint32_t entering) {
+    const M cut = next.g > r.end;
+    const M above = hn::And(r.slope >= of(0), r.slope * r.g > ceiling_);
+    if (((bits_of(hn::Or(cut, above)) | entering) & walk_.active()) == 0) return false;
+    store(r, walk_.state);
+    for_each_lane(bits_of(above) & walk_.active(), [&](int lane) { walk_.finish(lane); });
+    for_each_lane(bits_of(cut) & walk_.active(), [&](int lane) { walk_.next_piece(lane); });
+    for_each_lane(entering & ~bits_of(cut) & walk_.active(),
+                  [&](int lane) { walk_.drop_rays_below(lane); });
+    r = load(walk_.state, walk_.active());
+    return true;
+  }
+
+  // Records every ray that meets the ground before `next`.
+  HWY_INLINE void trace_span(Registers& r, const NextCrossing& next, std::uint32_t ground) {
+    // A span of no length, through a post, holds no hit.
+    const std::uint32_t open = ground & bits_of(next.g > r.g);
+    tests_ += __builtin_popcount(ground & walk_.active());
     while (true) {
       const V out = r.slope * next.g - next.z;
-      const std::uint32_t hit = bits_of(out <= of(0)) & walk.active();
-      if (hit == 0) break;
-      tests += __builtin_popcount(hit);
-      record(walk, r, next, out, hit);
-      r.slope = get(walk.state.slope);
-    }
-    advance(r, next);
-    if (walk.active() != active) park(r, walk.active());
-    const std::uint32_t outside = ~bits_of(grid.is_inside(r)) & walk.active();
-    if (outside != 0) {
-      store(r, walk.state);
-      for_each_lane(outside, [&](int lane) { walk.leave_grid(lane); });
-      r = load(walk.state, walk.active());
+      const std::uint32_t hit = bits_of(out <= of(0)) & open & walk_.active();
+      if (hit == 0) return;
+      tests_ += __builtin_popcount(hit);
+      record(walk_, r, next, out, hit);
+      r.slope = get(walk_.state.slope);
     }
   }
-  return tests;
-}
+
+  // Lets lanes that have walked out of the grid enter it again. Returns the lanes.
+  HWY_INLINE std::uint32_t leave(Registers& r) {
+    const std::uint32_t outside = ~bits_of(grid_.is_inside(r)) & walk_.active();
+    if (outside == 0) return 0;
+    store(r, walk_.state);
+    for_each_lane(outside, [&](int lane) { walk_.leave_grid(lane); });
+    r = load(walk_.state, walk_.active());
+    return outside;
+  }
+
+  VectorGrid grid_;
+  ColumnWalk& walk_;
+  V ceiling_;
+  std::int64_t tests_ = 0;
+};
 
 int lane_count() { return static_cast<int>(hn::Lanes(D())); }
+
+std::int64_t run_columns(const Terrain& terrain, ColumnWalk& walk) {
+  return ColumnLoop(terrain, walk).run();
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace terrview
@@ -267,9 +320,7 @@ HWY_EXPORT(lane_count);
 HWY_EXPORT(run_columns);
 
 bool has_columns(const Terrain& terrain) {
-  if (terrain.layers().size() != 1 || terrain.has_holes() ||
-      terrain.model() != SurfaceModel::hyperboloid)
-    return false;
+  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
   const HeightGrid& grid = *terrain.layers()[0].grid;
   const VerticalFrame& frame = terrain.frame();
   const double gamma =

@@ -30,8 +30,8 @@ struct ColumnHit {
   glm::ivec2 cell;
 };
 
-// Whether trace_columns() serves this terrain: one layer without holes, the hyperboloid surface,
-// and a reach under 640 km.
+// Whether trace_columns() serves this terrain: one layer, the hyperboloid surface, and a reach
+// under 640 km.
 [[nodiscard]] bool has_columns(const Terrain& terrain);
 
 // Traces the columns first ... first + count - 1 of `view`, in any number of calls. hits[i * rows +

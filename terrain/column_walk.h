@@ -43,6 +43,9 @@ class ColumnWalk {
   // The lane's track piece ends before the next crossing.
   void next_piece(int lane);
 
+  // The lane comes over an edge of the ground: its rays below it end there.
+  void drop_rays_below(int lane);
+
   // The lane has walked out of the grid.
   void leave_grid(int lane);
 
@@ -53,8 +56,6 @@ class ColumnWalk {
   void load_piece(int lane, const TrackPiece& piece);
   // Takes the lane to where its line next enters the grid; finishes it if it does not.
   void enter(int lane);
-  // Rays that come over an edge of the ground below it end there.
-  void drop_rays_below(int lane);
   void next_row(int lane);
 
   const Terrain& terrain_;
