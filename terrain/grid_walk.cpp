@@ -95,22 +95,23 @@ void GridWalk::stand_at(double g_m, glm::dvec2 uv) {
   last_ = inside_point(g_m, uv);
 }
 
+double GridWalk::line_m(int axis, double line) const {
+  return std::max(last_.g_m, piece_.begin_m + (line - piece_.start[axis]) * piece_.metres[axis]);
+}
+
 GridWalk::Event GridWalk::nearest_line() const {
   const glm::dvec2& rate = piece_.rate;
   Event event{kNever, Line::none};
-  const auto consider = [&](double posts, double metres_per_post, Line line) {
-    const double g_m = std::max(last_.g_m, piece_.begin_m + posts * metres_per_post);
+  const auto consider = [&](double g_m, Line line) {
     if (g_m < event.g_m) event = {g_m, line};
   };
-  if (rate.x != 0)
-    consider(next_line(cell_.x, rate.x) - piece_.start.x, piece_.metres.x, Line::column);
-  if (rate.y != 0)
-    consider(next_line(cell_.y, rate.y) - piece_.start.y, piece_.metres.y, Line::row);
+  if (rate.x != 0) consider(line_m(0, next_line(cell_.x, rate.x)), Line::column);
+  if (rate.y != 0) consider(line_m(1, next_line(cell_.y, rate.y)), Line::row);
   if (model_ == SurfaceModel::triangles) {
     const double turn = rate.x - rate.y;
     if (north_east_ ? turn < 0 : turn > 0) {
       const double offset = (piece_.start.x - cell_.x) - (piece_.start.y - cell_.y);
-      consider(-offset, 1 / turn, Line::diagonal);
+      consider(std::max(last_.g_m, piece_.begin_m - offset * (1 / turn)), Line::diagonal);
     }
   }
   return event;
@@ -180,18 +181,38 @@ std::optional<GridWalk::BlockExit> GridWalk::block_exit(int level) const {
   const int side = 1 << level;
   const glm::ivec2 after(std::min(first.x + side, grid_.columns - 1),
                          std::min(first.y + side, grid_.rows - 1));
-  // The same arithmetic as nearest_line(), so that the walk goes on from the same numbers.
   const auto leaves = [&](int axis) {
     const double rate = piece_.rate[axis];
-    if (rate == 0) return kNever;
-    const double line = rate > 0 ? after[axis] : first[axis];
-    return piece_.begin_m + (line - piece_.start[axis]) * piece_.metres[axis];
+    return rate == 0 ? kNever : line_m(axis, rate > 0 ? after[axis] : first[axis]);
   };
   const double column_m = leaves(0);
   const double row_m = leaves(1);
-  const double g_m = std::max(last_.g_m, std::min(column_m, row_m));
+  const double g_m = std::min(column_m, row_m);
   if (!(g_m <= piece_.end_m)) return std::nullopt;
   return BlockExit{g_m, column_m <= row_m};
+}
+
+int GridWalk::cell_at_exit(int axis, int low, int high, const BlockExit& exit) const {
+  const int here = cell_[axis];
+  const double rate = piece_.rate[axis];
+  if (rate == 0) return here;
+  // At a corner the walk crosses columns first.
+  const auto is_crossed = [&](int line) {
+    const double g_m = line_m(axis, line);
+    return exit.over_column ? g_m < exit.g_m : g_m <= exit.g_m;
+  };
+  // Rounding may have put the point on the wrong side of a line.
+  int cell = std::clamp(static_cast<int>(std::floor(piece_.at(exit.g_m)[axis])), low, high);
+  if (rate > 0) {
+    cell = std::max(cell, here);
+    while (cell < high && is_crossed(cell + 1)) ++cell;
+    while (cell > here && !is_crossed(cell)) --cell;
+  } else {
+    cell = std::min(cell, here);
+    while (cell > low && is_crossed(cell)) --cell;
+    while (cell < here && !is_crossed(cell + 1)) ++cell;
+  }
+  return cell;
 }
 
 void GridWalk::skip(int level, const BlockExit& exit) {
@@ -199,15 +220,12 @@ void GridWalk::skip(int level, const BlockExit& exit) {
   const int side = 1 << level;
   const glm::ivec2 last(std::min(first.x + side, grid_.columns - 1) - 1,
                         std::min(first.y + side, grid_.rows - 1) - 1);
-  const glm::dvec2 uv = piece_.at(exit.g_m);
   // The block's last cell on the way, through whose edge the line leaves it.
   const auto edge_cell = [](int low, int high, double rate) { return rate > 0 ? high : low; };
   if (exit.over_column)
-    cell_ = {edge_cell(first.x, last.x, piece_.rate.x),
-             std::clamp(static_cast<int>(std::floor(uv.y)), first.y, last.y)};
+    cell_ = {edge_cell(first.x, last.x, piece_.rate.x), cell_at_exit(1, first.y, last.y, exit)};
   else
-    cell_ = {std::clamp(static_cast<int>(std::floor(uv.x)), first.x, last.x),
-             edge_cell(first.y, last.y, piece_.rate.y)};
+    cell_ = {cell_at_exit(0, first.x, last.x, exit), edge_cell(first.y, last.y, piece_.rate.y)};
   const Event event{exit.g_m, exit.over_column ? Line::column : Line::row};
   last_ = crossing(event);
   cross(event.line);

@@ -80,7 +80,11 @@ class GridWalk {
   [[nodiscard]] bool next_piece();
   [[nodiscard]] bool enter();
   void stand_at(double g_m, glm::dvec2 uv);
+  // Where the piece crosses a line of columns (axis 0) or rows, not before the walk's position.
+  [[nodiscard]] double line_m(int axis, double line) const;
   [[nodiscard]] Event nearest_line() const;
+  // The cell along `axis`, in [low, high], that the walk has reached where it leaves a block.
+  [[nodiscard]] int cell_at_exit(int axis, int low, int high, const BlockExit& exit) const;
   void cross(Line line);
   void stop_outside();
   [[nodiscard]] Crossing crossing(const Event& event) const;

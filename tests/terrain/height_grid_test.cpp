@@ -1,0 +1,58 @@
+#include "terrain/height_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/scenes.h"
+
+namespace terrview {
+namespace {
+
+TEST(HeightGrid, StoresHeightsRowByRow) {
+  const HeightGrid grid{3, 2, {1, 2, 3, 4, 5, 6}};
+  EXPECT_EQ(grid.at(0, 0), 1);
+  EXPECT_EQ(grid.at(2, 0), 3);
+  EXPECT_EQ(grid.at(0, 1), 4);
+  EXPECT_EQ(grid.at(2, 1), 6);
+}
+
+TEST(HeightGrid, ACellThatTouchesAVoidPostIsAHole) {
+  for (int post = 0; post < 9; ++post) {
+    HeightGrid grid{3, 3, {0, 0, 0, 0, 0, 0, 0, 0, 0}};
+    grid.heights_m[static_cast<std::size_t>(post)] = kVoid;
+    for (int row = 0; row < 2; ++row) {
+      for (int column = 0; column < 2; ++column) {
+        const int across = post % 3 - column;
+        const int down = post / 3 - row;
+        const bool touches = across >= 0 && across <= 1 && down >= 0 && down <= 1;
+        EXPECT_EQ(grid.has_ground(column, row), !touches) << post << " " << column << " " << row;
+      }
+    }
+  }
+}
+
+TEST(HeightGrid, CoversItsOutermostPostsAndNothingBeyond) {
+  const HeightGrid grid = make_grid(4, 3, [](int, int) { return 0; });
+  EXPECT_TRUE(grid.covers({0, 0}));
+  EXPECT_TRUE(grid.covers({3, 2}));
+  EXPECT_FALSE(grid.covers({3 + 1e-9, 1}));
+  EXPECT_FALSE(grid.covers({1, 2 + 1e-9}));
+  EXPECT_FALSE(grid.covers({-1e-9, 1}));
+  EXPECT_FALSE(grid.covers({1, -1e-9}));
+}
+
+TEST(HeightRange, LeavesOutVoids) {
+  const HeightRange range = height_range({2, 3, {kVoid, -7, 12.5F, kVoid, 3, -400}});
+  EXPECT_EQ(range.lowest_m, -400);
+  EXPECT_EQ(range.highest_m, 12.5F);
+}
+
+TEST(HeightRange, IsNotANumberWhereThereIsNoHeight) {
+  const HeightRange range = height_range({2, 2, {kVoid, kVoid, kVoid, kVoid}});
+  EXPECT_TRUE(std::isnan(range.lowest_m));
+  EXPECT_TRUE(std::isnan(range.highest_m));
+}
+
+}  // namespace
+}  // namespace terrview

@@ -1,0 +1,128 @@
+// The promises of terrain/vertical_frame.h, against its formula and against geocentric coordinates,
+// both in long double.
+#include "terrain/vertical_frame.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "tests/support/oracle.h"
+#include "tests/support/random_scene.h"
+
+namespace terrview {
+namespace {
+
+using oracle::Real;
+
+constexpr double kEarthRadius_m = 6371e3;
+
+VerticalFrame earth_frame(double eye_height_m, double refraction = 0.13) {
+  return {.eye_height_m = eye_height_m,
+          .north_curvature_per_m = 1 / 6.36e6,
+          .east_curvature_per_m = 1 / 6.39e6,
+          .refraction = refraction};
+}
+
+// A whole number over a thousand, so that a counterexample shrinks to something readable.
+double milli(int low, int high) { return *rc::gen::inRange(low, high + 1) / 1000.0; }
+
+struct Point {
+  VerticalFrame frame;
+  glm::dvec2 ground_m;
+  double height_m;
+};
+
+Point any_point(double reach_km) {
+  const double eye_height_m = milli(-400'000, 9'000'000);
+  const auto coordinate_m = [&] { return 1000 * reach_km * milli(-700, 700); };
+  return {earth_frame(eye_height_m, milli(0, 1000)),
+          {coordinate_m(), coordinate_m()},
+          milli(-11'000'000, 9'000'000)};
+}
+
+RC_GTEST_PROP(VerticalFrame, ItsColumnsAreTheFormula, ()) {
+  // Past 640 km, where a series gives way to the functions, too.
+  const Point p = any_point(/*reach_km=*/3000);
+  const Real expected_m = oracle::z_m(p.frame, p.ground_m.x, p.ground_m.y, p.height_m);
+  const double scale_m = std::hypot(p.ground_m.x, p.ground_m.y) + 20'000;
+  RC_ASSERT(std::fabs(p.frame.at(p.ground_m).z_m(p.height_m) - expected_m) < 1e-14 * scale_m);
+}
+
+RC_GTEST_PROP(VerticalFrame, ItsSlopeIsTheDerivative, ()) {
+  const Point p = any_point(/*reach_km=*/500);
+  const Real h = p.height_m;
+  const auto z = [&](Real height_m) {
+    return oracle::z_m(p.frame, p.ground_m.x, p.ground_m.y, height_m);
+  };
+  const Real expected = (z(h + 1) - z(h - 1)) / 2;
+  RC_ASSERT(std::fabs(p.frame.at(p.ground_m).slope(p.height_m) - expected) < 1e-10L);
+}
+
+RC_GTEST_PROP(VerticalFrame, HeightsComeBackFromZ, ()) {
+  const Point p = any_point(/*reach_km=*/500);
+  const VerticalFrame::Column column = p.frame.at(p.ground_m);
+  RC_ASSERT(std::fabs(column.scene_height_m(column.z_m(p.height_m)) - p.height_m) < 1e-9);
+}
+
+RC_GTEST_PROP(VerticalFrame, CeilingsBoundZ, ()) {
+  const Point p = any_point(/*reach_km=*/1000);
+  const double z_m = p.frame.at(p.ground_m).z_m(p.height_m);
+  const double reach_m = std::hypot(p.ground_m.x, p.ground_m.y) * (1 + milli(0, 1000));
+  const double ceiling_height_m = p.height_m + milli(0, 1'000'000);
+  const double rounding_m = 1e-14 * (reach_m + 20'000);
+  RC_ASSERT(p.frame.ceiling_m(ceiling_height_m, reach_m) >= z_m - rounding_m);
+
+  const glm::dvec2 end_m = p.ground_m + glm::dvec2(milli(-10'000, 10'000), milli(-10'000, 10'000));
+  const double share = milli(0, 1000);
+  const glm::dvec2 between_m = p.ground_m + share * (end_m - p.ground_m);
+  RC_ASSERT(p.frame.ceiling_between(ceiling_height_m, p.ground_m, end_m) >=
+            p.frame.at(between_m).z_m(p.height_m) - rounding_m);
+}
+
+// A point of height h at the arc gamma has the true elevation of its geocentric coordinates.
+TEST(VerticalFrame, APointStandsInItsGeocentricDirection) {
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    VerticalFrame frame{.eye_height_m = random.uniform(-400, 400'000)};
+    frame.north_curvature_per_m = frame.east_curvature_per_m = 1 / kEarthRadius_m;
+    const Real s = random.log_uniform(1, 2e6);
+    const Real h = random.uniform(-400, 9000);
+    const Real gamma = s / kEarthRadius_m;
+    const Real across = (kEarthRadius_m + h) * std::sin(gamma);
+    const Real up = (kEarthRadius_m + h) * std::cos(gamma) - (kEarthRadius_m + frame.eye_height_m);
+    const glm::dvec2 ground_m(0, static_cast<double>(s));
+    const Real z = frame.at(ground_m).z_m(static_cast<double>(h));
+    EXPECT_NEAR(static_cast<double>(std::atan2(z, s) - std::atan2(up, across)), 0, 1e-13) << i;
+  }
+}
+
+TEST(VerticalFrame, RefractionLiftsByKOverTwoR) {
+  const glm::dvec2 ground_m(0, 50'000);
+  const double lift_m =
+      earth_frame(300, 0.13).at(ground_m).z_m(1000) - earth_frame(300, 0).at(ground_m).z_m(1000);
+  EXPECT_NEAR(lift_m, 0.13 * 50'000.0 * 50'000.0 / (2 * 6.36e6), 1e-9);
+}
+
+TEST(VerticalFrame, AFlatEarthOnlySubtractsTheEye) {
+  const VerticalFrame frame{.eye_height_m = 1234.5};
+  for (const glm::dvec2 ground_m : {glm::dvec2(0, 0), glm::dvec2(3e5, -7e4)}) {
+    EXPECT_EQ(frame.at(ground_m).z_m(2000.25), 2000.25 - 1234.5);
+    EXPECT_EQ(frame.at(ground_m).scene_height_m(765.75), 2000.25);
+    EXPECT_EQ(frame.at(ground_m).slope(2000.25), 1);
+  }
+  EXPECT_EQ(frame.ceiling_m(2000.25, 1e6), 765.75);
+}
+
+TEST(VerticalFrame, UnderTheEyeZIsTheHeightAboveIt) {
+  const VerticalFrame frame = earth_frame(1000);
+  EXPECT_NEAR(frame.at({0, 0}).z_m(1000), 0, 0);
+  EXPECT_NEAR(frame.at({0, 0}).z_m(990), -10 / (1 + 990 / 6.36e6), 1e-13);
+  EXPECT_NEAR(frame.at({0, 1e-9}).z_m(990), frame.at({0, 0}).z_m(990), 1e-13);
+}
+
+}  // namespace
+}  // namespace terrview
