@@ -220,6 +220,7 @@ class DemReader {
     dem.placement = mosaic.placement;
     dem.crs_wkt = first.crs_wkt;
     dem.vertical_datum = first.vertical_datum;
+    dem.height_unit = first.height_unit;
     for (const Mosaic::Part& part : mosaic.parts) {
       const DemHeader& header = part_of(part).header;
       dem.name += (dem.name.empty() ? "" : " + ") + header.name;
@@ -260,7 +261,10 @@ class DemReader {
   Progress progress_;
 };
 
-bool has_heights(const Dem& dem) { return count_heights(*dem.grid) > 0; }
+bool has_heights(const Dem& dem) {
+  return std::any_of(dem.grid->heights_m.begin(), dem.grid->heights_m.end(),
+                     [](float height) { return !std::isnan(height); });
+}
 
 // Leaves out DEMs without any height; what was said of them is kept.
 std::vector<Dem> keep_those_with_heights(std::vector<Dem> dems) {
@@ -280,16 +284,6 @@ std::vector<Dem> keep_those_with_heights(std::vector<Dem> dems) {
   return kept;
 }
 
-void warn_of_different_datums(std::vector<Dem>& dems) {
-  const std::string& first = dems.front().vertical_datum;
-  for (Dem& dem : dems) {
-    if (first.empty() || dem.vertical_datum.empty() || dem.vertical_datum == first) continue;
-    dem.warnings.push_back(dem.name + ": its heights refer to " + dem.vertical_datum +
-                           ", those of " + dems.front().name + " to " + first +
-                           ": they are taken as they are");
-  }
-}
-
 }  // namespace
 
 std::vector<Dem> read_dems(const std::vector<std::string>& paths, const DemOptions& options) {
@@ -301,9 +295,7 @@ std::vector<Dem> read_dems(const std::vector<std::string>& paths, const DemOptio
   DemReader reader(parts, options, scope);
   std::vector<Dem> dems;
   for (const Mosaic& mosaic : mosaics) dems.push_back(reader.read(mosaic));
-  dems = keep_those_with_heights(std::move(dems));
-  warn_of_different_datums(dems);
-  return dems;
+  return keep_those_with_heights(std::move(dems));
 }
 
 }  // namespace terrview

@@ -50,11 +50,11 @@ struct DemHeader {
 };
 
 struct DemOptions {
-  std::string crs;                    // --a-srs: anything PROJ understands; empty = the file's
-  std::optional<glm::dvec2> spacing;  // --spacing: the file's south-west post is (0, 0), no CRS
-  double height_factor = 1;           // the DZ of --spacing; not 1: instead of the file's unit
-  std::string height_unit;            // --z-unit: m, ft, us-ft, cm, ...; empty = the file's
-  std::optional<PostWindow> window;   // of every file
+  std::string crs;                      // --a-srs: anything PROJ understands; empty = the file's
+  std::optional<glm::dvec2> spacing;    // --spacing: the file's south-west post is (0, 0), no CRS
+  std::optional<double> height_factor;  // the DZ of --spacing: metres, instead of the file's unit
+  std::string height_unit;              // --z-unit: m, ft, us-ft, cm, ...; empty = the file's
+  std::optional<PostWindow> window;     // of every file
   int band = 1;
   std::optional<double> nodata;  // a number of the file, before scale and offset
   bool fill_voids = true;        // interior voids up to kFilledVoid_posts across
@@ -74,6 +74,7 @@ struct Dem {
   PostPlacement placement;
   std::string crs_wkt;           // empty = none: flat, x east and y north
   std::string vertical_datum;    // name, empty = unknown
+  std::string height_unit;       // of the file's numbers, as it calls it; heights are metres
   std::size_t voids_filled = 0;  // posts
   std::size_t voids_open = 0;
   std::vector<std::string> warnings;  // one line each, for the user

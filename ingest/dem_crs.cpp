@@ -83,6 +83,25 @@ DemCrs parse_crs(const std::string& text) {
   return split_crs(crs, "--a-srs " + text);
 }
 
+std::string crs_name(const std::string& wkt) {
+  OGRSpatialReference crs;
+  if (wkt.empty() || crs.importFromWkt(wkt.c_str()) != OGRERR_NONE) return "";
+  const char* name = crs.GetName();
+  return name != nullptr ? name : "";
+}
+
+std::string crs_code(const std::string& wkt) {
+  OGRSpatialReference crs;
+  if (wkt.empty() || crs.importFromWkt(wkt.c_str()) != OGRERR_NONE) return "";
+  constexpr int kSure_percent = 90;
+  const std::unique_ptr<OGRSpatialReference, void (*)(OGRSpatialReference*)> known(
+      crs.FindBestMatch(kSure_percent), [](OGRSpatialReference* match) { match->Release(); });
+  const OGRSpatialReference& named = known ? *known : crs;
+  const char* authority = named.GetAuthorityName(nullptr);
+  const char* code = named.GetAuthorityCode(nullptr);
+  return authority != nullptr && code != nullptr ? std::string(authority) + ":" + code : "";
+}
+
 bool same_crs(const std::string& wkt, const std::string& other_wkt) {
   if (wkt == other_wkt) return true;
   if (wkt.empty() || other_wkt.empty()) return false;

@@ -26,6 +26,10 @@ struct DemCrs {
 // The same as split_crs() for what a user wrote: an EPSG code, PROJ string, WKT. Throws InputError.
 [[nodiscard]] DemCrs parse_crs(const std::string& text);
 
+// A CRS's name, and its authority's code for it (EPSG:4326); empty if there is none.
+[[nodiscard]] std::string crs_name(const std::string& wkt);
+[[nodiscard]] std::string crs_code(const std::string& wkt);
+
 // Whether two CRSs, as split_crs() writes them, are one.
 [[nodiscard]] bool same_crs(const std::string& wkt, const std::string& other_wkt);
 

@@ -180,12 +180,16 @@ double require_unit(const std::string& name) {
 // Options first, then the band's unit, then the vertical CRS's.
 void settle_unit(DemHeader& header, const std::string& of_band, const DemCrs& crs,
                  const DemOptions& options) {
-  if (options.height_factor != 1 && !options.height_unit.empty()) {
+  if (options.height_factor && !options.height_unit.empty()) {
     throw InputError("--z-unit: --spacing DX,DY,DZ says it already: give one of them");
   }
+  if (options.height_factor &&
+      !(*options.height_factor > 0 && std::isfinite(*options.height_factor))) {
+    throw InputError("--spacing: DZ is the metres of a unit of height: give a number above zero");
+  }
   header.height_unit = of_band.empty() ? crs.height_unit : of_band;
-  if (options.height_factor != 1) {
-    header.metres_per_unit = options.height_factor;
+  if (options.height_factor) {
+    header.metres_per_unit = *options.height_factor;
   } else if (!options.height_unit.empty()) {
     header.height_unit = options.height_unit;
     header.metres_per_unit = require_unit(options.height_unit);

@@ -11,7 +11,9 @@
 namespace terrview {
 namespace {
 
-ColorRamp parse(const std::string& text) { return parse_color_ramp(text, "ramp.txt", {200, 1200}); }
+ColorRamp parse(const std::string& text) {
+  return parse_color_ramp(text, "ramp.txt", {200, 1200, false});
+}
 
 std::string parse_refusal(const std::string& text) {
   try {
@@ -102,8 +104,8 @@ TEST(ColorRampFile, ErrorsNameTheFileTheLineAndTheRemedy) {
 TEST(ColorRampFile, FilesAreReadByPath) {
   const TemporaryFolder folder;
   write_text(folder / "ramp.txt", "0 black\n100 white\n");
-  EXPECT_EQ(read_color_ramp(folder / "ramp.txt", {0, 1}).stops.size(), 2U);
-  EXPECT_THROW(static_cast<void>(read_color_ramp(folder / "none.txt", {0, 1})), InputError);
+  EXPECT_EQ(read_color_ramp(folder / "ramp.txt", {0, 1, false}).stops.size(), 2U);
+  EXPECT_THROW(static_cast<void>(read_color_ramp(folder / "none.txt", {0, 1, false})), InputError);
 }
 
 }  // namespace

@@ -109,18 +109,15 @@ TEST_F(DemCrsTest, ACrsThatHoldsNoDemIsRefused) {
   EXPECT_THROW(static_cast<void>(parse_crs("EPSG:5773")), InputError);  // vertical
 }
 
-TEST_F(DemCrsTest, DemsOfDifferentVerticalDatumsGetAWarning) {
-  TestRaster raster;
-  raster.crs = "EPSG:25832+7837";
-  const std::string first = raster.write(folder_ / "a.tif");
-  raster.crs = "EPSG:25832+5773";
-  raster.geotransform = {{900000, 50, 0, 5300000, 0, -50}};
-  const std::string second = raster.write(folder_ / "b.tif");
-  const auto dems = read_dems({first, second});
-  ASSERT_EQ(dems.size(), 2U);
-  EXPECT_TRUE(dems[0].warnings.empty());
-  ASSERT_EQ(dems[1].warnings.size(), 1U);
-  EXPECT_TRUE(says(dems[1].warnings[0], {"EGM96", "Deutsches Haupthoehennetz"}));
+TEST_F(DemCrsTest, NamesAndCodesAreFound) {
+  const Dem dem = read_one(TestRaster{}.write(folder_ / "a.tif"));
+  EXPECT_EQ(crs_name(dem.crs_wkt), "WGS 84 / UTM zone 32N");
+  EXPECT_EQ(crs_code(dem.crs_wkt), "EPSG:32632");
+  // A .prj carries no code.
+  const std::string grid = TestRaster{}.write(folder_ / "a.asc", "AAIGrid");
+  EXPECT_EQ(crs_code(read_one(grid).crs_wkt), "EPSG:32632");
+  EXPECT_EQ(crs_name(""), "");
+  EXPECT_EQ(crs_code(""), "");
 }
 
 }  // namespace

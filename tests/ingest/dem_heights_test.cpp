@@ -91,6 +91,11 @@ TEST_F(DemHeights, TheHeightSpacingReplacesTheFilesUnit) {
   options.spacing = glm::dvec2(50, 50);
   options.height_factor = 2;
   EXPECT_EQ(read_open(raster, options).grid->at(3, 2), 264);
+  options.height_factor = 1;
+  EXPECT_EQ(read_open(raster, options).grid->at(3, 2), 132);
+  options.height_factor = 0;
+  EXPECT_TRUE(says(refusal({folder_ / "a.tif"}, options), {"--spacing", "DZ"}));
+  options.height_factor = 1;
   options.height_unit = "ft";
   EXPECT_TRUE(says(refusal({folder_ / "a.tif"}, options), {"--z-unit"}));
 }

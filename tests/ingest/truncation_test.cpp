@@ -58,7 +58,8 @@ TEST_F(Truncation, OfAColourTableIsReadOrRefused) {
     std::size_t refused = 0;
     for (std::size_t length = 0; length < whole.size(); ++length) {
       try {
-        const ColorRamp ramp = parse_color_ramp(whole.substr(0, length), "ramp.txt", {0, 100});
+        const ColorRamp ramp =
+            parse_color_ramp(whole.substr(0, length), "ramp.txt", {0, 100, false});
         EXPECT_FALSE(ramp.stops.empty());
       } catch (const InputError&) {
         ++refused;
