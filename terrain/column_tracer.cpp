@@ -266,8 +266,7 @@ class ColumnLoop {
     store(r, walk_.state);
     for_each_lane(bits_of(above) & walk_.active(), [&](int lane) { walk_.finish(lane); });
     for_each_lane(bits_of(cut) & walk_.active(), [&](int lane) { walk_.next_piece(lane); });
-    for_each_lane(entering & ~bits_of(cut) & walk_.active(),
-                  [&](int lane) { walk_.drop_rays_below(lane); });
+    for_each_lane(entering & walk_.active(), [&](int lane) { walk_.drop_rays_below(lane); });
     r = load(walk_.state, walk_.active());
     return true;
   }
