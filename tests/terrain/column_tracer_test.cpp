@@ -1,0 +1,129 @@
+#include "terrain/column_tracer.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "terrain/terrain.h"
+#include "tests/support/judge.h"
+#include "tests/support/random_scene.h"
+
+namespace terrview {
+namespace {
+
+// Azimuths anywhere and along the lines of the grid; rises steep, level and nearly so.
+ColumnView random_view(Random& random, const Terrain& terrain, Position position) {
+  ColumnView view;
+  const int columns = random.integer(1, 20);
+  const int rows = random.integer(1, 40);
+  while (static_cast<int>(view.across.size()) < columns) {
+    const glm::dvec2 across(random_ray(random, terrain, position).direction);
+    if (glm::length(across) > 1e-6) view.across.push_back(across);
+  }
+  for (int row = 0; row < rows; ++row) {
+    const double length = glm::length(view.across.front());
+    view.rise.push_back(random.chance(0.1) ? 0
+                                           : length * random.sign() * random.log_uniform(1e-7, 30));
+  }
+  std::sort(view.rise.rbegin(), view.rise.rend());
+  return view;
+}
+
+// Hits, all equal to those of single rays.
+int expect_hits_of_single_rays(const Terrain& terrain, const ColumnView& view, int first,
+                               int count) {
+  const auto rows = view.rise.size();
+  std::vector<ColumnHit> hits(static_cast<std::size_t>(count) * rows);
+  TraceCounts counts;
+  trace_columns(terrain, view, first, count, hits, counts);
+  int met = 0;
+  for (int i = 0; i < count; ++i) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      const Ray ray{
+          .direction = {view.across[static_cast<std::size_t>(first + i)], view.rise[row]}};
+      const auto expected = terrain.first_hit(ray);
+      const ColumnHit& found = hits[static_cast<std::size_t>(i) * rows + row];
+      EXPECT_EQ(found.g_m >= 0, expected.has_value()) << oracle::to_string(ray);
+      if (!expected || found.g_m < 0) continue;
+      const Hit hit = column_hit(view, first + i, static_cast<int>(row), found);
+      EXPECT_EQ(hit.distance_m, expected->distance_m) << oracle::to_string(ray);
+      EXPECT_EQ(hit.position_m, expected->position_m) << oracle::to_string(ray);
+      EXPECT_EQ(hit.uv, expected->uv) << oracle::to_string(ray);
+      EXPECT_EQ(hit.cell, expected->cell) << oracle::to_string(ray);
+      EXPECT_EQ(hit.grid, expected->grid);
+      ++met;
+    }
+  }
+  return met;
+}
+
+// Every column at once, and then a part of them.
+template <class MakeTerrain>
+void expect_same_bits(std::uint64_t seed, Position position, const MakeTerrain& make) {
+  Random random(seed);
+  int met = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Terrain terrain = make(random);
+    if (!has_columns(terrain)) continue;
+    const ColumnView view = random_view(random, terrain, position);
+    const int columns = static_cast<int>(view.across.size());
+    met += expect_hits_of_single_rays(terrain, view, 0, columns);
+    const int first = random.integer(0, columns - 1);
+    expect_hits_of_single_rays(terrain, view, first, random.integer(1, columns - first));
+    ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << ", terrain " << i;
+  }
+  EXPECT_GT(met, 5000);
+}
+
+TEST(TraceColumns, HasTheHitsOfSingleRaysBitForBit) {
+  expect_same_bits(1, Position::general, [](Random& random) {
+    return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+  });
+}
+
+TEST(TraceColumns, HasThemThroughPostsAndAlongLines) {
+  expect_same_bits(2, Position::special, [](Random& random) {
+    return random_terrain(random, SurfaceModel::hyperboloid, Position::special);
+  });
+}
+
+TEST(TraceColumns, HasThemOnBentTracks) {
+  expect_same_bits(3, Position::general, [](Random& random) {
+    return random_bent_terrain(random, SurfaceModel::hyperboloid);
+  });
+}
+
+TEST(TraceColumns, HasThemUnderEveryInstructionSet) {
+  std::int64_t targets = hwy::SupportedTargets();
+  for (; targets != 0; targets &= targets - 1) {
+    hwy::SetSupportedTargetsForTest(targets & -targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    expect_same_bits(5, Position::general, [](Random& random) {
+      return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+    });
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+TEST(TraceColumns, ServesOneHyperboloidLayerWithoutHoles) {
+  Random random(4);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_FALSE(has_columns(random_layers(random, SurfaceModel::hyperboloid)));
+    EXPECT_FALSE(has_columns(random_terrain(random, SurfaceModel::triangles, Position::general)));
+    const Terrain terrain = random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+    const HeightGrid& grid = *terrain.layers().front().grid;
+    const bool has_holes = std::any_of(grid.heights_m.begin(), grid.heights_m.end(),
+                                       [](float height_m) { return std::isnan(height_m); });
+    EXPECT_EQ(has_columns(terrain), !has_holes);
+  }
+}
+
+}  // namespace
+}  // namespace terrview
