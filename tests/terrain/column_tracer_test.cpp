@@ -112,16 +112,12 @@ TEST(TraceColumns, HasThemUnderEveryInstructionSet) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-TEST(TraceColumns, ServesOneHyperboloidLayerWithoutHoles) {
+TEST(TraceColumns, ServesOneHyperboloidLayer) {
   Random random(4);
   for (int i = 0; i < 100; ++i) {
     EXPECT_FALSE(has_columns(random_layers(random, SurfaceModel::hyperboloid)));
     EXPECT_FALSE(has_columns(random_terrain(random, SurfaceModel::triangles, Position::general)));
-    const Terrain terrain = random_terrain(random, SurfaceModel::hyperboloid, Position::general);
-    const HeightGrid& grid = *terrain.layers().front().grid;
-    const bool has_holes = std::any_of(grid.heights_m.begin(), grid.heights_m.end(),
-                                       [](float height_m) { return std::isnan(height_m); });
-    EXPECT_EQ(has_columns(terrain), !has_holes);
+    EXPECT_TRUE(has_columns(random_terrain(random, SurfaceModel::hyperboloid, Position::general)));
   }
 }
 
