@@ -242,10 +242,7 @@ class ColumnLoop {
     while (walk_.active() != 0) {
       const NextCrossing next = grid_.next_crossing(r);
       const std::uint32_t ground = bits_of(next.has_ground);
-      if (settle_rare(r, next, ground & ~on_ground)) {
-        on_ground |= ground;
-        continue;
-      }
+      if (settle_rare(r, next, ground, on_ground)) continue;
       on_ground = ground;
       const std::uint32_t active = walk_.active();
       trace_span(r, next, ground);
@@ -259,14 +256,19 @@ class ColumnLoop {
  private:
   // Ends rays above everything, loads track pieces, and drops rays that come over an edge of the
   // ground below it. True if there was anything of the kind.
-  HWY_INLINE bool settle_rare(Registers& r, const NextCrossing& next, std::uint32_t entering) {
+  HWY_INLINE bool settle_rare(Registers& r, const NextCrossing& next, std::uint32_t ground,
+                              std::uint32_t& on_ground) {
+    const std::uint32_t entering = ground & ~on_ground;
     const M cut = next.g > r.end;
     const M above = hn::And(r.slope >= of(0), r.slope * r.g > ceiling_);
     if (((bits_of(hn::Or(cut, above)) | entering) & walk_.active()) == 0) return false;
     store(r, walk_.state);
     for_each_lane(bits_of(above) & walk_.active(), [&](int lane) { walk_.finish(lane); });
     for_each_lane(bits_of(cut) & walk_.active(), [&](int lane) { walk_.next_piece(lane); });
-    for_each_lane(entering & walk_.active(), [&](int lane) { walk_.drop_rays_below(lane); });
+    // Where the piece ends, the ground ahead is that of the next one.
+    const std::uint32_t entered = entering & ~bits_of(cut);
+    for_each_lane(entered & walk_.active(), [&](int lane) { walk_.drop_rays_below(lane); });
+    on_ground |= entered;
     r = load(walk_.state, walk_.active());
     return true;
   }

@@ -1,108 +1,119 @@
-// Promises of terrain/column_tracer.h.
 #include "terrain/column_tracer.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <vector>
-
 #include <hwy/targets.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "terrain/terrain.h"
+#include "tests/support/judge.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 
 namespace terrview {
 namespace {
 
-// Columns over some angle, along grid lines in special position; rows from steeply down to up.
-ColumnView random_view(Random& random) {
+// Azimuths anywhere and along the lines of the grid; rises steep, level and nearly so.
+ColumnView random_view(Random& random, const Terrain& terrain, Position position) {
   ColumnView view;
-  const int columns = random.integer(1, 21);
+  const int columns = random.integer(1, 20);
   const int rows = random.integer(1, 40);
-  const double quarter = std::numbers::pi / 2;
-  const bool special = random.chance(0.3);
-  const double heading = special ? quarter * random.integer(0, 3) : random.uniform(0, 4 * quarter);
-  const double step = random.log_uniform(1e-5, 0.3);
-  for (int i = 0; i < columns; ++i) {
-    const double azimuth = heading + step * (i - columns / 2);
-    view.across.emplace_back(std::sin(azimuth), std::cos(azimuth));
+  while (static_cast<int>(view.across.size()) < columns) {
+    const glm::dvec2 across(random_ray(random, terrain, position).direction);
+    if (glm::length(across) > 1e-6) view.across.push_back(across);
   }
-  const double spread = random.log_uniform(1e-3, 20);
-  const double middle = random.uniform(-1, 0.5) * spread;
-  for (int j = 0; j < rows; ++j) view.rise.push_back(middle + spread * (0.5 - (j + 0.5) / rows));
+  for (int row = 0; row < rows; ++row) {
+    const double length = glm::length(view.across.front());
+    view.rise.push_back(random.chance(0.1) ? 0
+                                           : length * random.sign() * random.log_uniform(1e-7, 30));
+  }
+  std::sort(view.rise.rbegin(), view.rise.rend());
   return view;
 }
 
-std::vector<ColumnHit> traced(const Terrain& terrain, const ColumnView& view, TraceCounts& counts) {
-  std::vector<ColumnHit> hits(view.across.size() * view.rise.size());
-  trace_columns(terrain, view, 0, static_cast<int>(view.across.size()), hits, counts);
-  return hits;
-}
-
-// Every pixel's hit against the plain tracer's, bit for bit. Returns the number of hits.
-int expect_plain_hits(const Terrain& terrain, const ColumnView& view) {
-  const Terrain plain(terrain.layers(), terrain.frame(), terrain.model(), Search::plain);
+// Hits, all equal to those of single rays.
+int expect_hits_of_single_rays(const Terrain& terrain, const ColumnView& view, int first,
+                               int count) {
+  const auto rows = view.rise.size();
+  std::vector<ColumnHit> hits(static_cast<std::size_t>(count) * rows);
   TraceCounts counts;
-  const std::vector<ColumnHit> hits = traced(terrain, view, counts);
-  int count = 0;
-  for (std::size_t i = 0; i < view.across.size(); ++i) {
-    for (std::size_t j = 0; j < view.rise.size(); ++j) {
-      const auto expected = plain.first_hit({{0, 0, 0}, {view.across[i], view.rise[j]}});
-      const ColumnHit& hit = hits[i * view.rise.size() + j];
-      EXPECT_EQ(hit.g_m >= 0, expected.has_value()) << "pixel " << i << ", " << j;
-      if (!expected || hit.g_m < 0) continue;
-      ++count;
-      const Hit found = column_hit(view, static_cast<int>(i), static_cast<int>(j), hit);
-      EXPECT_EQ(found.distance_m, expected->distance_m);
-      EXPECT_EQ(found.position_m, expected->position_m);
-      EXPECT_EQ(found.cell, expected->cell);
-      EXPECT_EQ(found.uv, expected->uv);
+  trace_columns(terrain, view, first, count, hits, counts);
+  int met = 0;
+  for (int i = 0; i < count; ++i) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      const Ray ray{
+          .direction = {view.across[static_cast<std::size_t>(first + i)], view.rise[row]}};
+      const auto expected = terrain.first_hit(ray);
+      const ColumnHit& found = hits[static_cast<std::size_t>(i) * rows + row];
+      EXPECT_EQ(found.g_m >= 0, expected.has_value()) << oracle::to_string(ray);
+      if (!expected || found.g_m < 0) continue;
+      const Hit hit = column_hit(view, first + i, static_cast<int>(row), found);
+      EXPECT_EQ(hit.distance_m, expected->distance_m) << oracle::to_string(ray);
+      EXPECT_EQ(hit.position_m, expected->position_m) << oracle::to_string(ray);
+      EXPECT_EQ(hit.uv, expected->uv) << oracle::to_string(ray);
+      EXPECT_EQ(hit.cell, expected->cell) << oracle::to_string(ray);
+      EXPECT_EQ(hit.grid, expected->grid);
+      ++met;
     }
   }
-  return count;
+  return met;
 }
 
-// Traces `scenes` random views over random terrains of every kind.
-void expect_plain_hits_in_random_views(int scenes, std::uint64_t seed) {
+// Every column at once, and then a part of them.
+template <class MakeTerrain>
+void expect_same_bits(std::uint64_t seed, Position position, const MakeTerrain& make) {
   Random random(seed);
-  int hits = 0;
-  for (int i = 0; i < scenes && !testing::Test::HasFailure(); ++i) {
-    SCOPED_TRACE(i);
-    const auto position = random.chance(0.5) ? Position::special : Position::general;
-    const Terrain terrain = random.chance(0.3)
-                                ? random_bent_terrain(random, SurfaceModel::hyperboloid)
-                                : random_terrain(random, SurfaceModel::hyperboloid, position);
+  int met = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Terrain terrain = make(random);
     if (!has_columns(terrain)) continue;
-    hits += expect_plain_hits(terrain, random_view(random));
+    const ColumnView view = random_view(random, terrain, position);
+    const int columns = static_cast<int>(view.across.size());
+    met += expect_hits_of_single_rays(terrain, view, 0, columns);
+    const int first = random.integer(0, columns - 1);
+    expect_hits_of_single_rays(terrain, view, first, random.integer(1, columns - first));
+    ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << ", terrain " << i;
   }
-  EXPECT_GT(hits, 10 * scenes);
+  EXPECT_GT(met, 5000);
 }
 
-TEST(ColumnTracer, FindsThePlainTracersHitsToTheBit) { expect_plain_hits_in_random_views(400, 1); }
-
-TEST(ColumnTracerLong, FindsThePlainTracersHitsToTheBitInManyScenes) {
-  expect_plain_hits_in_random_views(20000, 2);
+TEST(TraceColumns, HasTheHitsOfSingleRaysBitForBit) {
+  expect_same_bits(1, Position::general, [](Random& random) {
+    return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+  });
 }
 
-TEST(ColumnTracer, FindsTheSameHitsUnderEveryInstructionSet) {
-  const std::int64_t all = hwy::SupportedTargets();
-  int tried = 0;
-  for (std::int64_t rest = all; rest != 0; rest &= rest - 1) {
-    const std::int64_t target = rest & -rest;
-    hwy::SetSupportedTargetsForTest(target);
+TEST(TraceColumns, HasThemThroughPostsAndAlongLines) {
+  expect_same_bits(2, Position::special, [](Random& random) {
+    return random_terrain(random, SurfaceModel::hyperboloid, Position::special);
+  });
+}
+
+TEST(TraceColumns, HasThemOnBentTracks) {
+  expect_same_bits(3, Position::general, [](Random& random) {
+    return random_bent_terrain(random, SurfaceModel::hyperboloid);
+  });
+}
+
+TEST(TraceColumns, HasThemUnderEveryInstructionSet) {
+  std::int64_t targets = hwy::SupportedTargets();
+  for (; targets != 0; targets &= targets - 1) {
+    hwy::SetSupportedTargetsForTest(targets & -targets);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    SCOPED_TRACE(hwy::TargetName(target));
-    expect_plain_hits_in_random_views(60, 3);
-    ++tried;
+    expect_same_bits(5, Position::general, [](Random& random) {
+      return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+    });
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  EXPECT_GE(tried, 2);
 }
 
-TEST(ColumnTracer, WalksEachColumnOnce) {
+TEST(TraceColumns, WalksEachColumnOnce) {
   const Terrain terrain = make_terrain(
       make_grid(200, 200, [](int c, int r) { return 5 * std::sin(c * 0.3 + r * 0.2); }),
       {.eye_uv = {100.3, 100.4}, .spacing_m = {30, 30}, .eye_height_m = 200},
@@ -111,18 +122,19 @@ TEST(ColumnTracer, WalksEachColumnOnce) {
   for (int i = 0; i < 64; ++i) view.across.emplace_back(0.01 * (i - 32), 1);
   for (int j = 0; j < 500; ++j) view.rise.push_back(-0.002 * (j + 1));
   TraceCounts counts;
-  const std::vector<ColumnHit> hits = traced(terrain, view, counts);
+  std::vector<ColumnHit> hits(64 * 500);
+  trace_columns(terrain, view, 0, 64, hits, counts);
   // At most the cells of a column and one test a ray more.
   EXPECT_LE(counts.tests, 64 * (2 * 200 + 500));
 }
 
-TEST(ColumnTracer, LeavesOtherSurfacesAndSeveralGridsToTheRays) {
-  const HeightGrid grid = make_grid(4, 4, [](int, int) { return 0.0; });
-  EXPECT_TRUE(has_columns(make_terrain(grid, {}, SurfaceModel::hyperboloid)));
-  EXPECT_FALSE(has_columns(make_terrain(grid, {}, SurfaceModel::triangles)));
-  EXPECT_FALSE(has_columns(make_terrain(grid, {}, SurfaceModel::bilinear)));
-  const TerrainLayer layer = make_layer(grid, {});
-  EXPECT_FALSE(has_columns(Terrain({layer, layer}, {}, SurfaceModel::hyperboloid)));
+TEST(TraceColumns, ServesOneHyperboloidLayer) {
+  Random random(4);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_FALSE(has_columns(random_layers(random, SurfaceModel::hyperboloid)));
+    EXPECT_FALSE(has_columns(random_terrain(random, SurfaceModel::triangles, Position::general)));
+    EXPECT_TRUE(has_columns(random_terrain(random, SurfaceModel::hyperboloid, Position::general)));
+  }
 }
 
 }  // namespace
