@@ -6,6 +6,7 @@
 #include <new>
 
 #include "cli/command_line.h"
+#include "cli/info_command.h"
 #include "cli/interrupt.h"
 #include "cli/view_command.h"
 #include "terrain/error.h"
@@ -17,13 +18,14 @@ constexpr const char* kUsage =
     "terrview: what can be seen of a landscape from a point on the Earth\n"
     "\n"
     "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
+    "  terrview info DEM... [--json]                                 what DEMs hold\n"
     "\n"
     "ALT is in metres; +2 is two metres above the ground. See terrview view --help.\n";
 
 using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
-  static const std::map<std::string, Command> kCommands{{"view", run_view}};
+  static const std::map<std::string, Command> kCommands{{"info", run_info}, {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

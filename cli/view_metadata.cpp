@@ -20,7 +20,8 @@ std::string file_name(const std::string& path) {
 Json reading_json(const DemOptions& dem) {
   Json json = Json::object();
   if (!dem.crs.empty()) json["a-srs"] = dem.crs;
-  if (dem.spacing) json["spacing"] = {dem.spacing->x, dem.spacing->y, dem.height_factor.value_or(1)};
+  if (dem.spacing) json["spacing"] = {dem.spacing->x, dem.spacing->y};
+  if (dem.spacing && dem.height_factor) json["spacing"].push_back(*dem.height_factor);
   if (!dem.height_unit.empty()) json["z-unit"] = dem.height_unit;
   if (dem.window) json["window"] = *dem.window;
   if (dem.band != 1) json["band"] = dem.band;
