@@ -13,6 +13,7 @@
 #include <glm/matrix.hpp>
 
 #include "terrain/error.h"
+#include "terrain/ground_map.h"
 
 namespace terrview {
 namespace {
@@ -22,6 +23,11 @@ constexpr double kPatchError_m = 1e-5;
 constexpr double kNarrowError_cells = 2e-3;
 // Off the grid, the error may be this share of the distance from the grid.
 constexpr double kDistantError = 0.01;
+// Where a datum shift comes from a grid of its own, the map has creases, and halving a square gains
+// less than this. Then it must do that an error is below kNarrowError_cells, and that the eye sees
+// little of it.
+constexpr double kLeastGain = 8;
+constexpr double kLittle_rad = 0.05 * GroundMap::kTrackError_rad;
 // The check points see most of the largest error, not all of it.
 constexpr double kUnseenError = 2;
 constexpr double kSmallestHalf_m = 0.5;
@@ -34,7 +40,8 @@ using Samples = std::array<glm::dvec2, kNodeCount + kChecks>;
 
 struct Candidate {
   PatchTree::Leaf leaf;
-  double excess;  // error over what is allowed
+  double excess;   // error over what is allowed
+  bool tolerable;  // if halving the square gains nothing
 };
 
 struct Waiting {
@@ -76,7 +83,9 @@ class Fitter {
     const bool settled = singular || beyond_disc(square);
     double excess = settled ? 0 : error / allowed(patch, distance);
     if (std::isnan(excess)) excess = std::numeric_limits<double>::infinity();
-    return {{std::move(patch), settled ? 0 : error, distance}, excess};
+    const bool tolerable =
+        error <= kNarrowError_cells && error <= kLittle_rad * cells_from_eye(patch);
+    return {{std::move(patch), settled ? 0 : error, distance}, excess, tolerable};
   }
 
  private:
@@ -127,6 +136,14 @@ class Fitter {
     return glm::length(glm::max(away, glm::dvec2(0))) > disc_radius_m_;
   }
 
+  // The distance of a square from the eye in its widest cells, one at least.
+  [[nodiscard]] static double cells_from_eye(const GroundPatch& patch) {
+    const GroundSquare& square = patch.square();
+    const glm::dvec2 away = glm::abs(square.centre_m) - square.half_m;
+    const double cell_m = std::max(patch.cell_m().x, patch.cell_m().y);
+    return std::max(1.0, glm::length(glm::max(away, glm::dvec2(0))) / cell_m);
+  }
+
   [[nodiscard]] static double allowed(const GroundPatch& patch, double distance) {
     const glm::dvec2 cell_m = patch.cell_m();
     const double narrow = kPatchError_m / std::min(cell_m.x, cell_m.y);
@@ -146,31 +163,38 @@ class Fitter {
 
 PatchTree::PatchTree(const ExactGroundMap& exact, glm::ivec2 grid_size, const GroundSquare& root,
                      double disc_radius_m) {
+  if (std::isnan(exact.to_grid(root.centre_m).x))
+    throw InputError("'" + exact.dem() +
+                     "': its coordinates are not defined where the eye is: warp it to a "
+                     "projection made for the place with gdalwarp");
   const Fitter fitter(exact, grid_size, root, disc_radius_m);
   std::priority_queue<Waiting> waiting;
-  const auto put = [&](int node, int leaf, const GroundSquare& square) {
+  const auto put = [&](int node, int leaf, const GroundSquare& square, double parents_error) {
     Candidate candidate = fitter.fit(square);
+    const double error = candidate.leaf.error_cells;
+    const bool creased = candidate.tolerable && error * kLeastGain > parents_error;
     const auto at = static_cast<std::size_t>(leaf);
     if (at == leaves_.size())
       leaves_.push_back(std::move(candidate.leaf));
     else
       leaves_[at] = std::move(candidate.leaf);
     nodes_[static_cast<std::size_t>(node)].leaf = leaf;
-    if (!(candidate.excess <= 1)) waiting.push({candidate.excess, node});
+    if (candidate.excess > 1 && !creased) waiting.push({candidate.excess, node});
   };
   nodes_.push_back({root.centre_m});
-  put(0, 0, root);
+  put(0, 0, root, std::numeric_limits<double>::infinity());
   while (!waiting.empty() && leaves_.size() < kMostLeaves) {
     const auto parent = static_cast<std::size_t>(waiting.top().node);
     waiting.pop();
     const int leaf = nodes_[parent].leaf;
     const GroundSquare square = leaves_[static_cast<std::size_t>(leaf)].patch.square();
+    const double error = leaves_[static_cast<std::size_t>(leaf)].error_cells;
     nodes_[parent].first_child = static_cast<int>(nodes_.size());
     for (int child = 0; child < 4; ++child) {
       const glm::dvec2 corner(child % 2 == 0 ? -0.5 : 0.5, child < 2 ? -0.5 : 0.5);
       nodes_.push_back({square.at(corner)});
       put(static_cast<int>(nodes_.size()) - 1, child == 0 ? leaf : static_cast<int>(leaves_.size()),
-          {square.at(corner), square.half_m / 2});
+          {square.at(corner), square.half_m / 2}, error);
     }
   }
   if (!(error_cells() <= kNarrowError_cells))

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -12,18 +11,13 @@
 #include "ingest/frame_errors.h"
 #include "ingest/lay_grid.h"
 #include "ingest/sight.h"
+#include "ingest/view_checks.h"
 #include "terrain/error.h"
 #include "terrain/grid_walk.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
 namespace {
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 struct Curvatures {
   double north_per_m;
@@ -48,49 +42,6 @@ std::vector<glm::dvec2> some_posts(const Dem& dem) {
     for (int j = 0; j <= kDivisions; ++j)
       points.push_back(dem.placement.at(last * glm::dvec2(i, j) / double{kDivisions}));
   return points;
-}
-
-void check(const std::vector<Dem>& dems, const EyePlace& eye, const ViewFrameOptions& options) {
-  if (dems.empty()) throw InputError("no DEM: name at least one file");
-  if (!(options.z_scale > 0) || !std::isfinite(options.z_scale))
-    throw InputError("--z-scale " + format("%g", options.z_scale) + ": give a number above 0");
-  if (!(std::abs(options.refraction) <= 1))
-    throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
-  for (const Dem& dem : dems) {
-    if (dem.crs_wkt.empty() != dems[0].crs_wkt.empty())
-      throw InputError("'" + (dem.crs_wkt.empty() ? dem : dems[0]).name +
-                       "': no coordinate system, while another DEM has one: give one for all with "
-                       "--a-srs EPSG:CODE");
-    const double area = glm::determinant(dem.placement.step);
-    if (!std::isfinite(area) || area == 0)
-      throw InputError("'" + dem.name + "': its posts lie on a line: check its geotransform");
-  }
-  if (!std::isfinite(eye.height_m)) throw InputError("the eye's height is not a number");
-  if (eye.geographic) {
-    if (dems[0].crs_wkt.empty())
-      throw InputError("'" + dems[0].name +
-                       "': no coordinate system, so no latitude for the eye: " +
-                       "place it with --eye-xy, or give one with --a-srs EPSG:CODE");
-    if (!(std::abs(eye.geographic->latitude_deg) <= 90) ||
-        !std::isfinite(eye.geographic->longitude_deg))
-      throw InputError("the eye's latitude is not within 90 degrees: give LAT,LON in this order");
-  } else if (!eye.projected || !std::isfinite(eye.projected->x + eye.projected->y)) {
-    throw InputError("no place for the eye: give it with --eye or --eye-xy");
-  }
-}
-
-std::vector<std::string> find_warnings(const std::vector<Dem>& dems) {
-  std::vector<std::string> warnings;
-  const Dem* first = nullptr;
-  for (const Dem& dem : dems) {
-    if (dem.vertical_datum.empty()) continue;
-    if (first == nullptr) first = &dem;
-    if (dem.vertical_datum != first->vertical_datum)
-      warnings.push_back("'" + dem.name + "' has heights in " + dem.vertical_datum + ", '" +
-                         first->name + "' in " + first->vertical_datum +
-                         ": they are used as they are");
-  }
-  return warnings;
 }
 
 // A DEM and its place.
@@ -194,9 +145,9 @@ void ViewFrame::Impl::place_eye(const EyePlace& place) {
 
 std::string ViewFrame::Impl::eye_text() const {
   if (eye.geographic && std::isfinite(eye.geographic->latitude_deg))
-    return format("%.5f", eye.geographic->latitude_deg) + ", " +
-           format("%.5f", eye.geographic->longitude_deg);
-  return format("%.3f", eye.projected.x) + ", " + format("%.3f", eye.projected.y);
+    return in_words("%.5f", eye.geographic->latitude_deg) + ", " +
+           in_words("%.5f", eye.geographic->longitude_deg);
+  return in_words("%.3f", eye.projected.x) + ", " + in_words("%.3f", eye.projected.y);
 }
 
 // The first DEM that has ground there tells its height.
@@ -225,9 +176,9 @@ VerticalFrame ViewFrame::Impl::vertical_frame(const EyePlace& place) {
   }
   eye.height_m = frame.eye_height_m / options.z_scale;
   if (eye.ground_m && frame.eye_height_m < options.z_scale * *eye.ground_m)
-    throw InputError("the eye is " + format("%.3f", *eye.ground_m - eye.height_m) +
+    throw InputError("the eye is " + in_words("%.3f", *eye.ground_m - eye.height_m) +
                      " m under the ground, which at " + eye_text() + " is at " +
-                     format("%.3f", *eye.ground_m) +
+                     in_words("%.3f", *eye.ground_m) +
                      " m: raise it, or give +2 for two metres above the ground");
   if (curved) {
     const Curvatures curvatures = curvatures_at(eye.geographic->latitude_deg);
@@ -278,9 +229,9 @@ std::vector<TerrainLayer> ViewFrame::Impl::curved_layers(const VerticalFrame& fr
 ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
                      const ViewFrameOptions& options)
     : impl_(std::make_unique<Impl>()) {
-  check(dems, eye, options);
+  check_request(dems, eye, options);
   impl_->options = options;
-  impl_->warnings = find_warnings(dems);
+  impl_->warnings = datum_warnings(dems);
   impl_->place_dems(dems);
   impl_->place_eye(eye);
   impl_->curved = impl_->eye.geographic && options.earth == EarthModel::curved;

@@ -57,6 +57,8 @@ inline std::vector<GridCase> grid_cases() {
       {"Antarctic", "EPSG:3031", {-400000, -1300000}, 100, {1500, 1500}, {0.5, 0.5}},
       {"European LAEA", "EPSG:3035", {4100000, 2800000}, 100, {1500, 1500}, {0.5, 0.5}},
       {"Swiss", "EPSG:2056", {2600000, 1250000}, 50, {2000, 2000}, {0.5, 0.5}},
+      // The shift of its datum comes from a grid where PROJ has that, and the map has creases.
+      {"German", "EPSG:31467", {3450000, 5700000}, 50, {2000, 2000}, {0.5, 0.5}},
       {"French conic", "EPSG:2154", {900000, 6800000}, 75, {1500, 1500}, {0.5, 0.5}},
   };
 }

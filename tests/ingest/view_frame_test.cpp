@@ -91,11 +91,12 @@ TEST(ViewFrameEye, UnderTheGroundIsRefusedSayingByHowMuch) {
 TEST(ViewFrameEye, MayStandOutsideTheDem) {
   GridCase beside = kUtm;
   beside.eye_share = {-1.5, 0.5};
-  const ViewFrame frame({plain(kUtm)}, over(beside, 100), {});
+  const ViewFrame frame({plain(kUtm)}, over(beside, 3000), {});
   EXPECT_FALSE(frame.eye().ground_m);
-  const auto hit = frame.terrain()->first_hit(
-      {.direction = glm::normalize(glm::dvec3(25e3, 0, 400 - 100 - 50 + 1000))});
-  EXPECT_FALSE(hit) << "over the DEM";
+  const auto hit =
+      frame.terrain()->first_hit({.direction = glm::normalize(glm::dvec3(30e3, 0, -2600))});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->position_m.x, 30e3, 2e3);
   EXPECT_TRUE(says(refused({plain(kUtm)}, over(beside, 2, true)), {"no ground", "+"}));
 }
 
@@ -127,6 +128,8 @@ TEST(ViewFrame, RefusesOptionsThatMakeNoView) {
   EXPECT_NE(refused({}, over(kUtm, 900)), "");
   EXPECT_NE(refused({plain(kUtm)}, over(kUtm, 900), {.z_scale = 0}), "");
   EXPECT_NE(refused({plain(kUtm)}, over(kUtm, 900), {.refraction = 1.5}), "");
+  Dem row = plain({"row.tif", "EPSG:32632", {350000, 5312000}, 75, {200, 1}, {0.5, 0.5}});
+  EXPECT_TRUE(says(refused({row}, over(kUtm, 900)), {"row.tif", "200 x 1"}));
   Dem line = plain(kUtm);
   line.placement.step[1] = line.placement.step[0];
   EXPECT_TRUE(says(refused({line}, over(kUtm, 900)), {"geotransform"}));
