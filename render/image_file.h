@@ -13,11 +13,11 @@ namespace terrview {
 
 struct ImageFileOptions {
   // png, jpg, tif, exr, webp, ppm, or GDAL's name for one; empty = by extension.
-  std::string format;
-  std::map<std::string, std::string> creation;  // GDAL's names: QUALITY, ZLEVEL, COMPRESS
+  std::string format = {};
+  std::map<std::string, std::string> creation = {};  // GDAL's names: QUALITY, ZLEVEL, COMPRESS
   // Text kept where the format keeps any: under its name in png and exr, as the image description
   // in tif and jpg.
-  std::map<std::string, std::string> metadata;
+  std::map<std::string, std::string> metadata = {};
 };
 
 // Throws InputError if no picture can be written to `path`: unknown extension or option, or too

@@ -17,7 +17,7 @@ struct RenderOptions {
   bool coherence = true;      // false: every ray on its own; the same picture, later
   bool keep_samples = false;  // fill Frame::samples
   // Called from any thread with the share done, 0 to 1; what it throws ends the rendering.
-  std::function<void(double share)> progress;
+  std::function<void(double share)> progress = {};
 };
 
 // What the ray through a pixel's centre meets.
