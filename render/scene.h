@@ -14,8 +14,8 @@ namespace terrview {
 // chapter 1, 2.4).
 struct Light {
   glm::dvec3 towards_sun{0, 0, 1};  // true east-north-up at the eye, unit length
-  glm::vec3 sun{0.80F, 0.76F, 0.68F};
-  glm::vec3 ambient{0.22F, 0.25F, 0.30F};
+  glm::vec3 sun{0.95F, 0.91F, 0.82F};
+  glm::vec3 ambient{0.23F, 0.26F, 0.31F};
   bool casts_shadows = true;
 };
 
