@@ -157,20 +157,29 @@ TEST_P(GroundMaps, KeepTracksThatMissTheEyeWithinTheirPromise) {
 }
 
 TEST_P(GroundMaps, KeepTracksOffTheGridWhereTheyPassBesideIt) {
+  const auto stays_off = [&](const GroundLine& line, double length_m) {
+    walk(map(), oracle_, line, length_m, [&](double g_m, glm::dvec2 chord, glm::dvec2 curve) {
+      if (off_grid(curve) > GroundMap::kTrackError_cells) {
+        EXPECT_GT(off_grid(chord), 0) << g_m;
+      }
+    });
+  };
+  const glm::dvec2 centre = laid_[0].exact.to_ground(0.5 * last_post());
+  const double size_m = glm::distance(centre, laid_[0].exact.to_ground(last_post()));
   for (int i = 0; i < 48; ++i) {
-    walk(map(), oracle_, line_from_eye(i, 48), map().reach_m(),
-         [&](double g_m, glm::dvec2 chord, glm::dvec2 curve) {
-           if (off_grid(curve) > GroundMap::kTrackError_cells) {
-             EXPECT_GT(off_grid(chord), 0) << g_m;
-           }
-         });
+    stays_off(line_from_eye(i, 48), map().reach_m());
+    // Tangents of circles around the grid.
+    GroundLine beside = line_from_eye(i, 48);
+    const glm::dvec2 outward(beside.direction.y, -beside.direction.x);
+    beside.origin_m = centre + (0.5 + 0.05 * i) * size_m * outward - 2 * size_m * beside.direction;
+    stays_off(beside, 4 * size_m);
   }
 }
 
 TEST_P(GroundMaps, StayOffTheGridFarAway) {
   for (int i = 0; i < 48; ++i) {
     const GroundLine line = line_from_eye(i, 48);
-    for (const double share : {1.0, 1.3, 2.0, 5.0})
+    for (const double share : {1.0, 1.3, 2.0, 5.0, 20.0, 50.0})
       EXPECT_GT(off_grid(map().to_grid(line.at(share * map().reach_m()))), 0) << i << " " << share;
   }
 }
