@@ -157,9 +157,15 @@ TEST_P(GroundMaps, KeepTracksThatMissTheEyeWithinTheirPromise) {
 }
 
 TEST_P(GroundMaps, KeepTracksOffTheGridWhereTheyPassBesideIt) {
-  for (int i = 0; i < 48; ++i) {
-    walk(map(), oracle_, line_from_eye(i, 48), map().reach_m(),
-         [&](double g_m, glm::dvec2 chord, glm::dvec2 curve) {
+  const glm::dvec2 centre = laid_[0].exact.to_ground(0.5 * last_post());
+  const double size_m = glm::distance(centre, laid_[0].exact.to_ground(last_post()));
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> share(-1, 1);
+  for (int i = 0; i < 1500; ++i) {
+    const double azimuth = std::numbers::pi * share(random);
+    const glm::dvec2 start(share(random), share(random));
+    walk(map(), oracle_, {centre + 4 * size_m * start, {std::sin(azimuth), std::cos(azimuth)}},
+         6 * size_m, [&](double g_m, glm::dvec2 chord, glm::dvec2 curve) {
            if (off_grid(curve) > GroundMap::kTrackError_cells) {
              EXPECT_GT(off_grid(chord), 0) << g_m;
            }
@@ -170,7 +176,7 @@ TEST_P(GroundMaps, KeepTracksOffTheGridWhereTheyPassBesideIt) {
 TEST_P(GroundMaps, StayOffTheGridFarAway) {
   for (int i = 0; i < 48; ++i) {
     const GroundLine line = line_from_eye(i, 48);
-    for (const double share : {1.0, 1.3, 2.0, 5.0})
+    for (const double share : {1.0, 1.3, 2.0, 5.0, 20.0, 50.0})
       EXPECT_GT(off_grid(map().to_grid(line.at(share * map().reach_m()))), 0) << i << " " << share;
   }
 }
