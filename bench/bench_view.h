@@ -1,0 +1,39 @@
+// The views of the benchmark, and the double-precision ground that they see.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "bench/bench_dem.h"
+#include "render/camera.h"
+#include "terrain/terrain.h"
+
+namespace terrview {
+
+struct BenchView {
+  std::string name;
+  Camera camera;
+  glm::dvec2 eye_uv;
+  glm::dvec3 eye_m;   // in the scene frame, exact in single precision
+  glm::dvec3 to_sun;  // unit length
+};
+
+// horizon and oblique from a summit, valley and up from a valley floor, gridline from a post along
+// its column, down over the middle; perspective, 60 degrees wide, the sun 20 degrees high. Heights
+// above the ground are those named here or a share of the extent where the DEM is small:
+// horizon and gridline 100 m, valley 300 m, oblique 1500 m, down 2000 m, up 10 m.
+[[nodiscard]] std::vector<BenchView> six_views(const BenchDem& dem, glm::ivec2 size_px);
+
+// After photo 2 of Coquillart 1984: along a valley, about as many rays meet the ground.
+[[nodiscard]] BenchView thesis_valley(const BenchDem& dem);
+
+// After photo 3: the whole massif from above, about as many rays meet the ground.
+[[nodiscard]] BenchView thesis_top(const BenchDem& dem);
+
+// `dem` in the view frame of `view`, on a flat Earth.
+[[nodiscard]] Terrain terrain_of(const BenchDem& dem, const BenchView& view, SurfaceModel model);
+
+}  // namespace terrview

@@ -1,0 +1,65 @@
+#include <array>
+#include <memory>
+#include <thread>
+
+#include "bench/contender.h"
+#include "bench/embree_ground.h"
+#include "bench/embree_packets.h"
+#include "render/parallel.h"
+
+namespace terrview {
+namespace {
+
+constexpr std::array<const char*, 4> kCallNames{"1", "8", "16", "16-stream"};
+
+int bands(int rows_px, int rows_in_band) { return (rows_px + rows_in_band - 1) / rows_in_band; }
+
+Contender contender(const std::string& name, const std::shared_ptr<const EmbreeGround>& ground,
+                    EmbreeCalls calls) {
+  const BandTracer tracer = band_tracer(calls);
+  return {.name = name + "-" + kCallNames[static_cast<std::size_t>(calls)],
+          .surface = SurfaceModel::triangles,
+          .build_s = ground->build_s(),
+          .memory_mib = ground->memory_mib(),
+          .primary =
+              [ground, tracer](const BenchScene& scene, int threads, TracedFrame& frame) {
+                const PrimaryJob job{*ground, scene.view.eye_m, PixelRays(scene.view.camera)};
+                parallel_rows(bands(frame.size_px.y, tracer.rows), threads, [&](int band) {
+                  tracer.primary(job, band * tracer.rows, frame);
+                });
+                return FrameWork{};
+              },
+          .shadow =
+              [ground, tracer](const BenchScene& scene, const ShadowRays& rays, int threads,
+                               ShadowFrame& frame) {
+                const ShadowJob job{*ground, scene.view.to_sun, rays};
+                parallel_rows(bands(rays.size_px.y, tracer.rows), threads, [&](int band) {
+                  tracer.shadow(job, band * tracer.rows, frame);
+                });
+                return FrameWork{};
+              }};
+}
+
+}  // namespace
+
+std::vector<Contender> embree_contenders(const BenchDem& dem) {
+  const auto threads = static_cast<int>(std::thread::hardware_concurrency());
+  const auto build = [&](EmbreeGeometry geometry) {
+    return std::make_shared<const EmbreeGround>(dem, geometry, threads);
+  };
+  const auto triangles = build(EmbreeGeometry::triangles);
+  const auto compact = build(EmbreeGeometry::compact_triangles);
+  const auto grid = build(EmbreeGeometry::grid);
+  return {contender("embree-tri", triangles, EmbreeCalls::single),
+          contender("embree-tri", triangles, EmbreeCalls::packet8),
+          contender("embree-tri", triangles, EmbreeCalls::packet16),
+          contender("embree-tri", triangles, EmbreeCalls::stream16),
+          contender("embree-compact", compact, EmbreeCalls::packet16),
+          contender("embree-grid", grid, EmbreeCalls::single),
+          contender("embree-grid", grid, EmbreeCalls::packet8),
+          contender("embree-grid", grid, EmbreeCalls::packet16)};
+}
+
+std::string embree_version() { return RTC_VERSION_STRING; }
+
+}  // namespace terrview
