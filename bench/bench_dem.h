@@ -41,7 +41,11 @@ struct BenchDem {
 [[nodiscard]] BenchDem synthetic_city(int side_posts);
 
 // The project's sample massif cut to the grid of Coquillart 1984, chapter 2: 256 x 256 posts 60 m x
-// 90 m apart, heights multiplied by `z_scale`.
-[[nodiscard]] BenchDem thesis_mountains(float z_scale);
+// 90 m apart.
+[[nodiscard]] BenchDem thesis_mountains();
+
+// A file; one of geographic coordinates as it lies on the ground around its middle. Throws
+// InputError.
+[[nodiscard]] BenchDem read_bench_dem(const std::string& path);
 
 }  // namespace terrview

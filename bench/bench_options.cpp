@@ -56,7 +56,8 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   line.add_option("--threads", options.threads, "numbers of threads (1 and all)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024));
-  line.add_option("--repetitions", repetitions, "medians are of so many")->check(CLI::Range(1, 1000));
+  line.add_option("--repetitions", repetitions, "medians are of so many")
+      ->check(CLI::Range(1, 1000));
   line.add_option("--posts", posts, "a side of the synthetic grid; the city's is half of it")
       ->check(CLI::Range(16, 16384));
   line.add_option("--size", size, "WxH of the picture");
@@ -74,8 +75,7 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   if (!size.empty()) options.size_px = parse_size(size);
   if (options.threads.empty()) options.threads = one_and_all_threads();
   check_names("--scenes", options.scenes, {"synthetic", "city", "thesis", "dem"});
-  check_names("--views", options.views,
-              {"horizon", "gridline", "valley", "oblique", "down", "up"});
+  check_names("--views", options.views, {"horizon", "gridline", "valley", "oblique", "down", "up"});
   return options;
 }
 

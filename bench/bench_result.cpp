@@ -74,8 +74,10 @@ Json to_json(const BenchRun& run) {
 }
 
 BenchRun run_from_json(const Json& json) {
-  BenchRun run{json.at("machine"), json.at("command").get<std::string>(),
-               json.at("date").get<std::string>(), {}};
+  BenchRun run{json.at("machine"),
+               json.at("command").get<std::string>(),
+               json.at("date").get<std::string>(),
+               {}};
   for (const Json& entry : json.at("results")) {
     BenchResult result;
     visit_fields(result, [&](const char* name, auto& value) { read(entry.at(name), value); });

@@ -88,8 +88,7 @@ BenchView make_view(const BenchDem& dem, const char* name, glm::dvec2 eye_uv, do
 
 BenchView follow(const Recipe& recipe, const BenchDem& dem, glm::ivec2 size_px) {
   const glm::dvec2 uv = eye_uv_of(dem, recipe.place);
-  const double above_m =
-      std::min(recipe.above_ground_m, recipe.extent_share * dem.extent_m());
+  const double above_m = std::min(recipe.above_ground_m, recipe.extent_share * dem.extent_m());
   CameraOptions camera{.pitch_rad = recipe.pitch_rad, .fov_rad = kFov_rad, .size_px = size_px};
   if (recipe.place == Place::post) {
     camera.heading_rad = azimuth_rad(-dem.step_m[1]);
@@ -125,10 +124,10 @@ BenchView thesis_top(const BenchDem& dem) {
   return make_view(dem, "oblique", uv, eye_m.z, camera);
 }
 
-Terrain terrain_of(const BenchDem& dem, const BenchView& view, SurfaceModel model) {
+Terrain terrain_of(const BenchDem& dem, const BenchView& view, SurfaceModel model, Search search) {
   const auto map = std::make_shared<const AffineGroundMap>(
       view.eye_uv, glm::inverse(dem.step_m), glm::ivec2(dem.grid->columns, dem.grid->rows));
-  return Terrain({{dem.grid, map}}, VerticalFrame{.eye_height_m = view.eye_m.z}, model);
+  return Terrain({{dem.grid, map}}, VerticalFrame{.eye_height_m = view.eye_m.z}, model, search);
 }
 
 }  // namespace terrview

@@ -34,6 +34,7 @@ struct BenchView {
 [[nodiscard]] BenchView thesis_top(const BenchDem& dem);
 
 // `dem` in the view frame of `view`, on a flat Earth.
-[[nodiscard]] Terrain terrain_of(const BenchDem& dem, const BenchView& view, SurfaceModel model);
+[[nodiscard]] Terrain terrain_of(const BenchDem& dem, const BenchView& view, SurfaceModel model,
+                                 Search search);
 
 }  // namespace terrview

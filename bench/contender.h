@@ -1,11 +1,11 @@
 // A way of tracing a view, as the benchmark sees it.
 //
-// To add one: make a Contender whose functions trace the rays of a BenchView (a TracedFrame row by
-// row, with the camera's rays) and append it in terrview_contenders().
+// To add one: make a Contender whose tracer takes the rays of the view's camera, or the shadow rays
+// given, to a frame, and append it in terrview_contenders().
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,11 +23,11 @@ struct FrameWork {
   std::optional<std::int64_t> nodes;
 };
 
-// A view, and its ground under every surface model that is asked for.
-struct BenchScene {
-  const BenchDem& dem;
-  const BenchView& view;
-  std::map<SurfaceModel, Terrain> terrains;
+// A contender with the eye of one view: what is timed. It makes the rays, traces them and writes
+// the frame. `shadow` is empty where the contender traces none.
+struct ViewTracer {
+  std::function<FrameWork(int threads, TracedFrame&)> primary;
+  std::function<FrameWork(const ShadowRays&, int threads, ShadowFrame&)> shadow;
 };
 
 struct Contender {
@@ -35,11 +35,11 @@ struct Contender {
   std::optional<SurfaceModel> surface;  // none: it traces nothing
   std::optional<double> build_s;        // once per DEM, with all threads
   std::optional<double> memory_mib;     // beyond the heights
-  std::function<FrameWork(const BenchScene&, int threads, TracedFrame&)> primary;
-  std::function<FrameWork(const BenchScene&, const ShadowRays&, int threads, ShadowFrame&)> shadow;
+  std::function<ViewTracer(const BenchView&)> place;
 };
 
-// Those of terrview, ready to trace `dem`, which must outlive them; and the time to write a frame.
+// Those of terrview, ready to trace `dem`, which must outlive them; and one that only writes the
+// frame, which none can beat.
 [[nodiscard]] std::vector<Contender> terrview_contenders(const BenchDem& dem);
 
 // Those of Embree; none where the build found no Embree.

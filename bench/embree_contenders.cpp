@@ -17,27 +17,27 @@ int bands(int rows_px, int rows_in_band) { return (rows_px + rows_in_band - 1) /
 Contender contender(const std::string& name, const std::shared_ptr<const EmbreeGround>& ground,
                     EmbreeCalls calls) {
   const BandTracer tracer = band_tracer(calls);
+  const auto place = [ground, tracer](const BenchView& view) -> ViewTracer {
+    return {.primary =
+                [ground, tracer, &view](int threads, TracedFrame& frame) {
+                  const PrimaryJob job{*ground, view.eye_m, PixelRays(view.camera)};
+                  parallel_rows(bands(frame.size_px.y, tracer.rows), threads,
+                                [&](int band) { tracer.primary(job, band * tracer.rows, frame); });
+                  return FrameWork{};
+                },
+            .shadow =
+                [ground, tracer, &view](const ShadowRays& rays, int threads, ShadowFrame& frame) {
+                  const ShadowJob job{*ground, view.to_sun, rays};
+                  parallel_rows(bands(rays.size_px.y, tracer.rows), threads,
+                                [&](int band) { tracer.shadow(job, band * tracer.rows, frame); });
+                  return FrameWork{};
+                }};
+  };
   return {.name = name + "-" + kCallNames[static_cast<std::size_t>(calls)],
           .surface = SurfaceModel::triangles,
           .build_s = ground->build_s(),
           .memory_mib = ground->memory_mib(),
-          .primary =
-              [ground, tracer](const BenchScene& scene, int threads, TracedFrame& frame) {
-                const PrimaryJob job{*ground, scene.view.eye_m, PixelRays(scene.view.camera)};
-                parallel_rows(bands(frame.size_px.y, tracer.rows), threads, [&](int band) {
-                  tracer.primary(job, band * tracer.rows, frame);
-                });
-                return FrameWork{};
-              },
-          .shadow =
-              [ground, tracer](const BenchScene& scene, const ShadowRays& rays, int threads,
-                               ShadowFrame& frame) {
-                const ShadowJob job{*ground, scene.view.to_sun, rays};
-                parallel_rows(bands(rays.size_px.y, tracer.rows), threads, [&](int band) {
-                  tracer.shadow(job, band * tracer.rows, frame);
-                });
-                return FrameWork{};
-              }};
+          .place = place};
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ void fill_vertices(const BenchDem& dem, RTCGeometry geometry) {
   if (!vertices) return;
   parallel_rows(grid.rows, 0, [&](int line) {
     const int row = grid.rows - 1 - line;
-    Vertex* vertex = vertices + static_cast<std::size_t>(line) *
-                                    static_cast<std::size_t>(grid.columns);
+    Vertex* vertex =
+        vertices + static_cast<std::size_t>(line) * static_cast<std::size_t>(grid.columns);
     for (int column = 0; column < grid.columns; ++column) {
       const glm::dvec2 xy_m = dem.scene_xy_m({column, row});
       *vertex++ = {static_cast<float>(xy_m.x), static_cast<float>(xy_m.y), grid.at(column, row)};
@@ -48,8 +48,8 @@ void fill_triangles(const HeightGrid& grid, RTCGeometry geometry) {
   const auto columns = static_cast<std::uint32_t>(grid.columns);
   const auto rows = static_cast<std::uint32_t>(grid.rows);
   const std::size_t per_row = 2 * static_cast<std::size_t>(columns - 1);
-  auto* triangles = new_buffer<Triangle>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
-                                         per_row * (rows - 1));
+  auto* triangles =
+      new_buffer<Triangle>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, per_row * (rows - 1));
   if (!triangles) return;
   parallel_rows(grid.rows - 1, 0, [&](int row) {
     Triangle* triangle = triangles + static_cast<std::size_t>(row) * per_row;
@@ -71,15 +71,14 @@ std::vector<EmbreeGround::Tile> fill_grids(const HeightGrid& grid, RTCGeometry g
     for (int west = 0; west < cells_wide; west += kTile_cells) {
       const int wide = std::min(kTile_cells, cells_wide - west);
       const int high = std::min(kTile_cells, cells_high - south);
-      primitives.push_back({static_cast<unsigned>(south * grid.columns + west),
-                            static_cast<unsigned>(grid.columns),
-                            static_cast<unsigned short>(wide + 1),
-                            static_cast<unsigned short>(high + 1)});
+      primitives.push_back(
+          {static_cast<unsigned>(south * grid.columns + west), static_cast<unsigned>(grid.columns),
+           static_cast<unsigned short>(wide + 1), static_cast<unsigned short>(high + 1)});
       tiles.push_back({(cells_high - 1 - south) * cells_wide + west, static_cast<float>(wide),
                        static_cast<float>(high)});
     }
-  auto* buffer = new_buffer<RTCGrid>(geometry, RTC_BUFFER_TYPE_GRID, RTC_FORMAT_GRID,
-                                     primitives.size());
+  auto* buffer =
+      new_buffer<RTCGrid>(geometry, RTC_BUFFER_TYPE_GRID, RTC_FORMAT_GRID, primitives.size());
   if (buffer) std::copy(primitives.begin(), primitives.end(), buffer);
   return tiles;
 }

@@ -5,106 +5,15 @@
 #include <cstddef>
 #include <limits>
 
+#include "bench/embree_calls.h"
+
 namespace terrview {
 namespace {
 
 // Inlined into a function for one instruction set, a loop over lanes becomes that set's vectors.
 #define TERRVIEW_LANES [[gnu::always_inline]] inline
 
-constexpr int kTileWide_px = 4;
 constexpr float kFar = std::numeric_limits<float>::infinity();
-
-template <int kLanes>
-struct Packet;
-template <>
-struct Packet<8> {
-  using RayHit = RTCRayHit8;
-  using Ray = RTCRay8;
-};
-template <>
-struct Packet<16> {
-  using RayHit = RTCRayHit16;
-  using Ray = RTCRay16;
-};
-
-// How the rays of `kPackets` packets of `kLanes` lanes are handed to Embree.
-template <int kLaneCount, int kPacketCount>
-struct Calls {
-  static constexpr int kLanes = kLaneCount;
-  static constexpr int kPackets = kPacketCount;
-  static constexpr int kRows = kLanes / kTileWide_px;
-  using RayHit = typename Packet<kLanes>::RayHit;
-  using Ray = typename Packet<kLanes>::Ray;
-};
-
-struct Packet8 : Calls<8, 1> {
-  static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
-                        RayHit* packet) {
-    rtcIntersect8(valid, scene, context, packet);
-  }
-  static void occlude(const int* valid, RTCScene scene, RTCIntersectContext* context, Ray* packet) {
-    rtcOccluded8(valid, scene, context, packet);
-  }
-};
-
-struct Packet16 : Calls<16, 1> {
-  static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
-                        RayHit* packet) {
-    rtcIntersect16(valid, scene, context, packet);
-  }
-  static void occlude(const int* valid, RTCScene scene, RTCIntersectContext* context, Ray* packet) {
-    rtcOccluded16(valid, scene, context, packet);
-  }
-};
-
-struct Stream16 : Calls<16, 16> {
-  static void intersect(const int* /*valid*/, RTCScene scene, RTCIntersectContext* context,
-                        RayHit* packets) {
-    rtcIntersectNM(scene, context, reinterpret_cast<RTCRayHitN*>(packets), kLanes, kPackets,
-                   sizeof(RayHit));
-  }
-  static void occlude(const int* /*valid*/, RTCScene scene, RTCIntersectContext* context,
-                      Ray* packets) {
-    rtcOccludedNM(scene, context, reinterpret_cast<RTCRayN*>(packets), kLanes, kPackets,
-                  sizeof(Ray));
-  }
-};
-
-template <class Soa>
-TERRVIEW_LANES RTCRay ray_of(const Soa& rays, int lane) {
-  return {rays.org_x[lane], rays.org_y[lane], rays.org_z[lane], rays.tnear[lane],
-          rays.dir_x[lane], rays.dir_y[lane], rays.dir_z[lane], 0,
-          rays.tfar[lane],  rays.mask[lane],  0,                0};
-}
-
-struct Single : Calls<16, 1> {
-  static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
-                        RayHit* packet) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (!valid[lane]) continue;
-      RTCRayHit one{};
-      one.ray = ray_of(packet->ray, lane);
-      one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(scene, context, &one);
-      packet->ray.tfar[lane] = one.ray.tfar;
-      packet->hit.Ng_x[lane] = one.hit.Ng_x;
-      packet->hit.Ng_y[lane] = one.hit.Ng_y;
-      packet->hit.Ng_z[lane] = one.hit.Ng_z;
-      packet->hit.u[lane] = one.hit.u;
-      packet->hit.v[lane] = one.hit.v;
-      packet->hit.primID[lane] = one.hit.primID;
-      packet->hit.geomID[lane] = one.hit.geomID;
-    }
-  }
-  static void occlude(const int* valid, RTCScene scene, RTCIntersectContext* context, Ray* packet) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (!valid[lane]) continue;
-      RTCRay one = ray_of(*packet, lane);
-      rtcOccluded1(scene, context, &one);
-      packet->tfar[lane] = one.tfar;
-    }
-  }
-};
 
 // A lane that is not valid has an empty range: streams know no other way.
 template <int kLanes, class Ray>
@@ -171,8 +80,8 @@ TERRVIEW_LANES void put(const Value* lanes, glm::ivec2 corner_px, glm::ivec2 siz
   const int rows = std::min(kLanes / kTileWide_px, size_px.y - corner_px.y);
   const int columns = std::min(kTileWide_px, size_px.x - corner_px.x);
   for (int row = 0; row < rows; ++row) {
-    Value* to = plane + static_cast<std::size_t>(corner_px.y + row) *
-                            static_cast<std::size_t>(size_px.x) +
+    Value* to = plane +
+                static_cast<std::size_t>(corner_px.y + row) * static_cast<std::size_t>(size_px.x) +
                 static_cast<std::size_t>(corner_px.x);
     if (columns == kTileWide_px) {
       for (int column = 0; column < kTileWide_px; ++column) to[column] = *lanes++;
@@ -186,11 +95,12 @@ TERRVIEW_LANES void put(const Value* lanes, glm::ivec2 corner_px, glm::ivec2 siz
 template <int kLanes, class RayHit>
 TERRVIEW_LANES void store(const EmbreeGround& ground, const RayHit& packet, const double* lengths,
                           glm::ivec2 corner_px, TracedFrame& frame) {
+  constexpr auto kCount = static_cast<std::size_t>(kLanes);
   const auto& hit = packet.hit;
-  alignas(64) double distances_m[kLanes];
-  alignas(64) std::int32_t cells[kLanes];
-  alignas(64) float east[kLanes];
-  alignas(64) float north[kLanes];
+  alignas(64) double distances_m[kCount];
+  alignas(64) std::int32_t cells[kCount];
+  alignas(64) float east[kCount];
+  alignas(64) float north[kCount];
   cells_of<kLanes>(ground, hit, cells);
   for (int lane = 0; lane < kLanes; ++lane) {
     const bool found = hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
@@ -213,12 +123,13 @@ TERRVIEW_LANES void store(const EmbreeGround& ground, const RayHit& packet, cons
 template <class How>
 TERRVIEW_LANES void primary_band(const PrimaryJob& job, int top, TracedFrame& frame) {
   constexpr int kLanes = How::kLanes;
+  constexpr auto kCount = static_cast<std::size_t>(kLanes);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   typename How::RayHit packets[How::kPackets];
-  alignas(64) int valid[How::kPackets][kLanes];
-  alignas(64) double lengths[How::kPackets][kLanes];
+  alignas(64) int valid[How::kPackets][kCount];
+  alignas(64) double lengths[How::kPackets][kCount];
   for (int left = 0; left < frame.size_px.x; left += kTileWide_px * How::kPackets) {
     for (int i = 0; i < How::kPackets; ++i)
       aim<kLanes>(job, {left + i * kTileWide_px, top}, frame.size_px, packets[i], valid[i],
@@ -235,15 +146,16 @@ TERRVIEW_LANES void get(const std::vector<float>& plane, glm::ivec2 corner_px, g
   const int columns = std::min(kTileWide_px, size_px.x - corner_px.x);
   for (int row = corner_px.y; row < corner_px.y + kLanes / kTileWide_px; ++row) {
     const bool inside = row < size_px.y;
-    const float* from = plane.data() + static_cast<std::size_t>(inside ? row : 0) *
-                                           static_cast<std::size_t>(size_px.x) +
-                        static_cast<std::size_t>(std::max(0, corner_px.x));
+    const float* from =
+        plane.data() +
+        static_cast<std::size_t>(inside ? row : 0) * static_cast<std::size_t>(size_px.x) +
+        static_cast<std::size_t>(std::max(0, corner_px.x));
     if (inside && columns == kTileWide_px) {
       for (int column = 0; column < kTileWide_px; ++column) *lanes++ = from[column];
     } else {
       for (int column = 0; column < kTileWide_px; ++column)
-        *lanes++ = inside && column < columns ? from[column]
-                                              : std::numeric_limits<float>::quiet_NaN();
+        *lanes++ =
+            inside && column < columns ? from[column] : std::numeric_limits<float>::quiet_NaN();
     }
   }
 }
@@ -265,13 +177,14 @@ TERRVIEW_LANES void aim_at_sun(const ShadowJob& job, glm::ivec2 corner_px, Ray& 
 template <class How>
 TERRVIEW_LANES void shadow_band(const ShadowJob& job, int top, ShadowFrame& frame) {
   constexpr int kLanes = How::kLanes;
+  constexpr auto kCount = static_cast<std::size_t>(kLanes);
   const glm::ivec2 size_px = job.rays.size_px;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   typename How::Ray packets[How::kPackets];
-  alignas(64) int valid[How::kPackets][kLanes];
-  alignas(64) std::uint8_t stopped[kLanes];
+  alignas(64) int valid[How::kPackets][kCount];
+  alignas(64) std::uint8_t stopped[kCount];
   for (int left = 0; left < size_px.x; left += kTileWide_px * How::kPackets) {
     for (int i = 0; i < How::kPackets; ++i)
       aim_at_sun<kLanes>(job, {left + i * kTileWide_px, top}, packets[i], valid[i]);
@@ -304,7 +217,8 @@ struct Avx2 {
   }
 };
 
-#define TERRVIEW_AVX512 [[gnu::target("avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512")]]
+#define TERRVIEW_AVX512 \
+  [[gnu::target("avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512")]]
 
 template <class How>
 struct Avx512 {

@@ -95,8 +95,8 @@ void mark(std::ostream& svg, std::size_t which, Point at) {
       svg << "<circle cx='" << at.x << "' cy='" << at.y << "' r='" << r << paint;
       break;
     case 1:
-      svg << "<rect x='" << at.x - r << "' y='" << at.y - r << "' width='" << 2 * r
-          << "' height='" << 2 * r << paint;
+      svg << "<rect x='" << at.x - r << "' y='" << at.y - r << "' width='" << 2 * r << "' height='"
+          << 2 * r << paint;
       break;
     default:
       svg << "<path d='M" << at.x << ' ' << at.y - r << 'l' << r << ' ' << 2 * r << 'h' << -2 * r

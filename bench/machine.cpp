@@ -24,8 +24,8 @@ Json cpu_name() {
 }
 
 double memory_gib() {
-  const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double bytes =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   return std::round(bytes / (1 << 30) * 10) / 10;
 }
 

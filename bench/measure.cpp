@@ -4,12 +4,13 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
 
-#include "bench/frame_errors.h"
-#include "bench/plain.h"
+#include "bench/scalar_rays.h"
+#include "bench/trace_errors.h"
 
 namespace terrview {
 namespace {
@@ -21,25 +22,23 @@ struct Reference {
   ShadowFrame shadow;
 };
 
-BenchScene make_scene(const BenchDem& dem, const BenchView& view,
-                      const std::vector<Contender>& contenders) {
-  BenchScene scene{dem, view, {}};
-  for (const Contender& contender : contenders)
-    if (contender.surface && !scene.terrains.contains(*contender.surface))
-      scene.terrains.emplace(*contender.surface, terrain_of(dem, view, *contender.surface));
-  return scene;
+Reference make_reference(const Terrain& terrain, const BenchView& view) {
+  TracedFrame frame(view.camera.options().size_px);
+  trace_rays(terrain, view.camera, 0, frame);
+  ShadowRays rays = shadow_rays(terrain, view, frame);
+  ShadowFrame shadow(frame.pixels());
+  shade_rays(terrain, view, rays, 0, shadow);
+  return {std::move(frame), std::move(rays), std::move(shadow)};
 }
 
-std::map<SurfaceModel, Reference> make_references(const BenchScene& scene) {
+std::map<SurfaceModel, Reference> make_references(const BenchDem& dem, const BenchView& view,
+                                                  const std::vector<Contender>& contenders) {
   std::map<SurfaceModel, Reference> references;
-  for (const auto& [surface, terrain] : scene.terrains) {
-    TracedFrame frame(scene.view.camera.options().size_px);
-    trace_plain(terrain, scene.view.camera, 0, frame);
-    ShadowRays rays = shadow_rays(terrain, scene.view, frame);
-    ShadowFrame shadow(frame.pixels());
-    shade_plain(terrain, scene.view, rays, 0, shadow);
-    references.emplace(surface, Reference{std::move(frame), std::move(rays), std::move(shadow)});
-  }
+  for (const Contender& contender : contenders)
+    if (contender.surface && !references.contains(*contender.surface))
+      references.emplace(
+          *contender.surface,
+          make_reference(terrain_of(dem, view, *contender.surface, Search::plain), view));
   return references;
 }
 
@@ -68,19 +67,6 @@ std::vector<double> time_in_turns(const std::vector<std::function<void()>>& runs
   return medians;
 }
 
-BenchResult describe(const BenchScene& scene, const Contender& contender, const char* rays,
-                     int threads) {
-  BenchResult result{.dem = scene.dem.name,
-                     .view = scene.view.name,
-                     .rays = rays,
-                     .contender = contender.name,
-                     .threads = threads};
-  if (contender.surface) result.surface = name_of(*contender.surface);
-  result.build_s = contender.build_s;
-  result.memory_mib = contender.memory_mib;
-  return result;
-}
-
 void set_speed(BenchResult& result, const FrameWork& work, std::int64_t rays, double seconds) {
   const auto count = static_cast<double>(rays);
   result.mrays_per_s = count / seconds / 1e6;
@@ -88,7 +74,7 @@ void set_speed(BenchResult& result, const FrameWork& work, std::int64_t rays, do
   if (work.nodes) result.nodes_per_ray = static_cast<double>(*work.nodes) / count;
 }
 
-void set_errors(BenchResult& result, const FrameErrors& errors) {
+void set_errors(BenchResult& result, const TraceErrors& errors) {
   result.cells_differ = errors.cells_differ;
   result.hit_flips = errors.hit_flips;
   result.p50_rel_error = errors.p50_rel_error;
@@ -96,69 +82,105 @@ void set_errors(BenchResult& result, const FrameErrors& errors) {
   result.max_rel_error = errors.max_rel_error;
 }
 
+// One kind of rays with one number of threads: every contender, its results and its work.
+class Round {
+ public:
+  // Traces one frame.
+  using Run = std::function<FrameWork()>;
+
+  void add(const Run& run, std::int64_t rays, BenchResult result) {
+    const std::size_t i = results_.size();
+    runs_.emplace_back([this, run, i] { work_[i] = run(); });
+    rays_.push_back(rays);
+    work_.emplace_back();
+    results_.push_back(std::move(result));
+  }
+
+  // check(i, result) compares the frame that the i-th has just written for the first time.
+  template <class Check>
+  std::vector<BenchResult> time(const MeasureOptions& options, Check check) {
+    const std::vector<double> seconds = time_in_turns(
+        runs_, [&](std::size_t i) { check(i, results_[i]); }, options);
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+      set_speed(results_[i], work_[i], rays_[i], seconds[i]);
+    return std::move(results_);
+  }
+
+ private:
+  std::vector<std::function<void()>> runs_;
+  std::vector<std::int64_t> rays_;
+  std::vector<FrameWork> work_;
+  std::vector<BenchResult> results_;
+};
+
 class Measurement {
  public:
   Measurement(const BenchDem& dem, const BenchView& view, const std::vector<Contender>& contenders,
               const MeasureOptions& options)
-      : contenders_(contenders),
+      : dem_(dem),
+        view_(view),
         options_(options),
-        scene_(make_scene(dem, view, contenders)),
-        references_(make_references(scene_)) {}
-
-  void primary(int threads, std::vector<BenchResult>& results) const {
-    TracedFrame frame(scene_.view.camera.options().size_px);
-    std::vector<BenchResult> measured;
-    std::vector<FrameWork> work(contenders_.size());
-    std::vector<std::function<void()>> runs;
-    for (std::size_t i = 0; i < contenders_.size(); ++i) {
-      measured.push_back(describe(scene_, contenders_[i], "primary", threads));
-      runs.emplace_back([&, i] { work[i] = contenders_[i].primary(scene_, threads, frame); });
-    }
-    const auto check = [&](std::size_t i) {
-      if (contenders_[i].surface)
-        set_errors(measured[i],
-                   frame_errors(references_.at(*contenders_[i].surface).frame, frame));
-      frame.clear();  // so that no contender passes off what another wrote
-    };
-    const std::vector<double> seconds = time_in_turns(runs, check, options_);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      set_speed(measured[i], work[i], static_cast<std::int64_t>(frame.pixels()), seconds[i]);
-      results.push_back(std::move(measured[i]));
-    }
+        references_(make_references(dem, view, contenders)) {
+    for (const Contender& contender : contenders)
+      entries_.push_back({contender, contender.place(view),
+                          contender.surface ? &references_.at(*contender.surface) : nullptr});
   }
 
-  void shadow(int threads, std::vector<BenchResult>& results) const {
-    std::vector<BenchResult> measured;
-    std::vector<const Reference*> references;
-    std::vector<FrameWork> work(contenders_.size());
-    std::vector<std::function<void()>> runs;
-    ShadowFrame frame(TracedFrame(scene_.view.camera.options().size_px).pixels());
-    for (const Contender& contender : contenders_) {
-      if (!contender.shadow) continue;
-      const Reference& reference = references_.at(*contender.surface);
-      if (reference.rays.count == 0) continue;
-      FrameWork& its_work = work[runs.size()];
-      runs.emplace_back(
-          [&] { its_work = contender.shadow(scene_, reference.rays, threads, frame); });
-      references.push_back(&reference);
-      measured.push_back(describe(scene_, contender, "shadow", threads));
+  [[nodiscard]] std::vector<BenchResult> primary(int threads) const {
+    TracedFrame frame(view_.camera.options().size_px);
+    Round round;
+    for (const Entry& entry : entries_)
+      round.add([&] { return entry.tracer.primary(threads, frame); },
+                static_cast<std::int64_t>(frame.pixels()), describe(entry, "primary", threads));
+    return round.time(options_, [&](std::size_t i, BenchResult& result) {
+      if (entries_[i].reference)
+        set_errors(result, trace_errors(entries_[i].reference->frame, frame));
+      frame.clear();  // so that no contender passes off what another wrote
+    });
+  }
+
+  [[nodiscard]] std::vector<BenchResult> shadow(int threads) const {
+    ShadowFrame frame(TracedFrame(view_.camera.options().size_px).pixels());
+    Round round;
+    std::vector<const ShadowFrame*> expected;
+    for (const Entry& entry : entries_) {
+      if (!entry.tracer.shadow || entry.reference->rays.count == 0) continue;
+      round.add([&] { return entry.tracer.shadow(entry.reference->rays, threads, frame); },
+                entry.reference->rays.count, describe(entry, "shadow", threads));
+      expected.push_back(&entry.reference->shadow);
     }
-    const auto check = [&](std::size_t i) {
-      measured[i].hit_flips = shadow_flips(references[i]->shadow, frame);
-      std::fill(frame.begin(), frame.end(), std::uint8_t{2});
-    };
-    const std::vector<double> seconds = time_in_turns(runs, check, options_);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      set_speed(measured[i], work[i], references[i]->rays.count, seconds[i]);
-      results.push_back(std::move(measured[i]));
-    }
+    return round.time(options_, [&](std::size_t i, BenchResult& result) {
+      result.hit_flips = shadow_flips(*expected[i], frame);
+      constexpr std::uint8_t kNeverWritten = 2;
+      std::fill(frame.begin(), frame.end(), kNeverWritten);
+    });
   }
 
  private:
-  const std::vector<Contender>& contenders_;
+  struct Entry {
+    const Contender& contender;
+    ViewTracer tracer;
+    const Reference* reference;
+  };
+
+  [[nodiscard]] BenchResult describe(const Entry& entry, const char* rays, int threads) const {
+    BenchResult result;
+    result.dem = dem_.name;
+    result.view = view_.name;
+    result.rays = rays;
+    result.contender = entry.contender.name;
+    result.threads = threads;
+    if (entry.contender.surface) result.surface = name_of(*entry.contender.surface);
+    result.build_s = entry.contender.build_s;
+    result.memory_mib = entry.contender.memory_mib;
+    return result;
+  }
+
+  const BenchDem& dem_;
+  const BenchView& view_;
   const MeasureOptions& options_;
-  BenchScene scene_;
   std::map<SurfaceModel, Reference> references_;
+  std::vector<Entry> entries_;
 };
 
 }  // namespace
@@ -168,8 +190,12 @@ std::vector<BenchResult> measure(const BenchDem& dem, const BenchView& view,
                                  const MeasureOptions& options) {
   const Measurement measurement(dem, view, contenders, options);
   std::vector<BenchResult> results;
-  for (const int threads : options.threads) measurement.primary(threads, results);
-  for (const int threads : options.threads) measurement.shadow(threads, results);
+  const auto append = [&](std::vector<BenchResult> more) {
+    results.insert(results.end(), std::make_move_iterator(more.begin()),
+                   std::make_move_iterator(more.end()));
+  };
+  for (const int threads : options.threads) append(measurement.primary(threads));
+  for (const int threads : options.threads) append(measurement.shadow(threads));
   return results;
 }
 

@@ -54,14 +54,13 @@ void print_group(std::ostream& out, std::vector<BenchResult> group) {
     return a.mrays_per_s > b.mrays_per_s;
   });
   for (const BenchResult& result : group)
-    print_row(out,
-              {result.contender, result.surface.value_or("-"), format("%.2f", result.mrays_per_s),
-               format("%.1f", 1e3 / result.mrays_per_s),
-               best_embree > 0 ? format("%.2f", result.mrays_per_s / best_embree) : "-",
-               cell("%.2f", result.tests_per_ray), cell("%.2f", result.nodes_per_ray),
-               cell("%.3f", result.build_s), cell("%.0f", result.memory_mib),
-               cell("%.2g", result.cells_differ), cell("%ld", result.hit_flips),
-               cell("%.2g", result.p99_rel_error), cell("%.2g", result.max_rel_error)});
+    print_row(out, {result.contender, result.surface.value_or("-"),
+                    format("%.2f", result.mrays_per_s), format("%.1f", 1e3 / result.mrays_per_s),
+                    best_embree > 0 ? format("%.2f", result.mrays_per_s / best_embree) : "-",
+                    cell("%.2f", result.tests_per_ray), cell("%.2f", result.nodes_per_ray),
+                    cell("%.3f", result.build_s), cell("%.0f", result.memory_mib),
+                    cell("%.2g", result.cells_differ), cell("%ld", result.hit_flips),
+                    cell("%.2g", result.p99_rel_error), cell("%.2g", result.max_rel_error)});
 }
 
 struct ThesisFigure {
@@ -96,8 +95,8 @@ void print_thesis(std::ostream& out, const std::vector<BenchResult>& results) {
       first = false;
       out << "  " << pad(figure.photo, 20, true) << pad(result.contender, 16, true)
           << pad(result.surface.value_or("-"), 12, true)
-          << pad(format("%.2f", *result.tests_per_ray), 8, false) << "   thesis "
-          << figure.plain << ", with coherence " << figure.coherent << '\n';
+          << pad(format("%.2f", *result.tests_per_ray), 8, false) << "   thesis " << figure.plain
+          << ", with coherence " << figure.coherent << '\n';
     }
   }
 }

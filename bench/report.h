@@ -9,7 +9,8 @@
 
 namespace terrview {
 
-// The results of one view, kind of ray by kind of ray: speeds also over that of Embree's best there.
+// The results of one view, kind of ray by kind of ray: speeds also over that of Embree's best
+// there.
 void print_view(std::ostream& out, const std::vector<BenchResult>& results);
 
 // Tests per ray beside those of Coquillart 1984; nothing where no result is of the thesis's grid.

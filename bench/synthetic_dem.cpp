@@ -56,7 +56,7 @@ double gradient_noise(int octave, double x, double y) {
   const double north =
       blend(pull(octave, column, row, dx, dy), pull(octave, column + 1, row, dx - 1, dy), s);
   const double south = blend(pull(octave, column, row + 1, dx, dy - 1),
-                                 pull(octave, column + 1, row + 1, dx - 1, dy - 1), s);
+                             pull(octave, column + 1, row + 1, dx - 1, dy - 1), s);
   return blend(north, south, fade(dy));
 }
 
@@ -65,8 +65,8 @@ float mountain(int column, int row) {
   double amplitude = 1;
   int octave = 0;
   for (double wave_m = kLongestWave_m; wave_m >= kShortestWave_m; wave_m /= 2) {
-    height += amplitude *
-              gradient_noise(octave++, column * kPost_m / wave_m, row * kPost_m / wave_m);
+    height +=
+        amplitude * gradient_noise(octave++, column * kPost_m / wave_m, row * kPost_m / wave_m);
     amplitude *= kGain;
   }
   return static_cast<float>(height);
@@ -81,8 +81,8 @@ float roof(int column, int row) {
   };
   const int x = column % kBlock_posts;
   const int y = row % kBlock_posts;
-  const bool inside = x >= wall(1) && y >= wall(2) && x <= kBlock_posts - wall(3) &&
-                      y <= kBlock_posts - wall(4);
+  const bool inside =
+      x >= wall(1) && y >= wall(2) && x <= kBlock_posts - wall(3) && y <= kBlock_posts - wall(4);
   if (!inside) return 0;
   const double tallness = chance(5) * chance(6) * chance(7);  // few are tall
   return static_cast<float>(std::floor(6 + 84 * tallness));
@@ -115,14 +115,10 @@ BenchDem synthetic_city(int side_posts) {
                         {1, 0, 0, -1});
 }
 
-BenchDem thesis_mountains(float z_scale) {
-  constexpr int kSide_posts = 256;
+BenchDem thesis_mountains() {
   const HeightGrid sample = make_mountains();
-  HeightGrid grid = {kSide_posts, kSide_posts, {}};
-  for (int row = 0; row < kSide_posts; ++row)
-    for (int column = 0; column < kSide_posts; ++column)
-      grid.heights_m.push_back(z_scale * sample.at(column, row));
-  return make_bench_dem("thesis-sample", std::move(grid), {60, 0, 0, -90});
+  HeightGrid grid = fill_grid(256, [&](int column, int row) { return sample.at(column, row); });
+  return make_bench_dem("thesis", std::move(grid), {60, 0, 0, -90});
 }
 
 }  // namespace terrview

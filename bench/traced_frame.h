@@ -42,8 +42,8 @@ struct TracedFrame {
 
   glm::ivec2 size_px;
   std::vector<double> distance_m;
-  std::vector<std::int32_t> cell;   // row * (columns of posts - 1) + column
-  std::vector<float> normal_east;   // of the unit facet normal, which points up
+  std::vector<std::int32_t> cell;  // row * (columns of posts - 1) + column
+  std::vector<float> normal_east;  // of the unit facet normal, which points up
   std::vector<float> normal_north;
 };
 

@@ -1,4 +1,4 @@
-#include "bench/frame_errors.h"
+#include "bench/trace_errors.h"
 
 #include <algorithm>
 #include <cassert>
@@ -20,7 +20,7 @@ double percentile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-FrameErrors frame_errors(const TracedFrame& reference, const TracedFrame& frame) {
+TraceErrors trace_errors(const TracedFrame& reference, const TracedFrame& frame) {
   assert(reference.size_px == frame.size_px);
   std::int64_t hit_flips = 0;
   std::int64_t other_cells = 0;

@@ -1,4 +1,4 @@
-// The double-precision reference: every ray on its own, by the plain scalar walk.
+// Every ray on its own, by the scalar walk in double precision: with Search::plain, the reference.
 #pragma once
 
 #include "bench/bench_view.h"
@@ -8,11 +8,10 @@
 
 namespace terrview {
 
-FrameWork trace_plain(const Terrain& terrain, const Camera& camera, int threads,
-                      TracedFrame& frame);
+FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads, TracedFrame& frame);
 
-FrameWork shade_plain(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
-                      int threads, ShadowFrame& frame);
+FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
+                     int threads, ShadowFrame& frame);
 
 // Rays towards the sun from the ground that `frame` shows. They start where a float can say so, a
 // millimetre above the ground there, so that no contender meets the ground it leaves.

@@ -7,7 +7,7 @@
 
 namespace terrview {
 
-struct FrameErrors {
+struct TraceErrors {
   std::int64_t hit_flips;  // pixels that miss a hit, or invent one
   // Of the pixels where both hit; 0 where there are none.
   double cells_differ;  // share whose cell is another
@@ -18,7 +18,7 @@ struct FrameErrors {
 };
 
 // Both frames have the same size.
-[[nodiscard]] FrameErrors frame_errors(const TracedFrame& reference, const TracedFrame& frame);
+[[nodiscard]] TraceErrors trace_errors(const TracedFrame& reference, const TracedFrame& frame);
 
 // Pixels that differ.
 [[nodiscard]] std::int64_t shadow_flips(const ShadowFrame& reference, const ShadowFrame& frame);

@@ -1,4 +1,4 @@
-#include "bench/plain.h"
+#include "bench/scalar_rays.h"
 
 #include <atomic>
 #include <cmath>
@@ -33,9 +33,10 @@ float round_up(double value) {
 
 }  // namespace
 
-FrameWork trace_plain(const Terrain& terrain, const Camera& camera, int threads,
-                      TracedFrame& frame) {
+FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
+                     TracedFrame& frame) {
   std::atomic<std::int64_t> tests = 0;
+  std::atomic<std::int64_t> nodes = 0;
   parallel_rows(frame.size_px.y, threads, [&](int row) {
     TraceCounts counts;
     for (int column = 0; column < frame.size_px.x; ++column) {
@@ -43,12 +44,13 @@ FrameWork trace_plain(const Terrain& terrain, const Camera& camera, int threads,
       store(terrain.first_hit(ray, &counts), terrain, frame, frame.index(column, row));
     }
     tests += counts.tests;
+    nodes += counts.nodes;
   });
-  return {.tests = tests, .nodes = {}};
+  return {.tests = tests, .nodes = nodes};
 }
 
-FrameWork shade_plain(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
-                      int threads, ShadowFrame& frame) {
+FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
+                     int threads, ShadowFrame& frame) {
   parallel_rows(rays.size_px.y, threads, [&](int row) {
     const auto width = static_cast<std::size_t>(rays.size_px.x);
     const std::size_t first = static_cast<std::size_t>(row) * width;
