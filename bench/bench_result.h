@@ -19,7 +19,7 @@ struct BenchResult {
   std::string contender;
   int threads = 1;
   std::optional<std::string> surface;
-  double mrays_per_s = 0;  // set-up of the rays, tracing and writing the frame; the median
+  double mrays_per_s = 0;  // set-up of the rays, tracing, writing the frame; the median
   std::optional<double> tests_per_ray;
   std::optional<double> nodes_per_ray;
   std::optional<double> build_s;

@@ -1,12 +1,12 @@
 #include "bench/measure.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "bench/scalar_rays.h"
@@ -48,23 +48,12 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-// The median seconds of each of `runs`, taken in turns; check(i) follows the first of each.
-std::vector<double> time_in_turns(const std::vector<std::function<void()>>& runs,
-                                  const std::function<void(std::size_t)>& check,
-                                  const MeasureOptions& options) {
-  std::vector<std::vector<double>> seconds(runs.size());
-  for (int turn = 0; turn < options.repetitions; ++turn)
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      if (std::reduce(seconds[i].begin(), seconds[i].end()) > options.budget_s) continue;
-      const auto start = std::chrono::steady_clock::now();
-      runs[i]();
-      const auto end = std::chrono::steady_clock::now();
-      seconds[i].push_back(std::chrono::duration<double>(end - start).count());
-      if (turn == 0) check(i);
-    }
-  std::vector<double> medians;
-  for (std::vector<double>& each : seconds) medians.push_back(median(std::move(each)));
-  return medians;
+// Seconds of a clock. One thread is timed by its own processor time, which other programs on the
+// machine do not spend.
+double seconds_now(int threads) {
+  timespec now{};
+  clock_gettime(threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 void set_speed(BenchResult& result, const FrameWork& work, std::int64_t rays, double seconds) {
@@ -82,35 +71,53 @@ void set_errors(BenchResult& result, const TraceErrors& errors) {
   result.max_rel_error = errors.max_rel_error;
 }
 
-// One kind of rays with one number of threads: every contender, its results and its work.
+// One kind of rays with one number of threads: every contender in turns.
 class Round {
  public:
-  // Traces one frame.
-  using Run = std::function<FrameWork()>;
+  Round(const MeasureOptions& options, int threads) : options_(options), threads_(threads) {}
 
-  void add(const Run& run, std::int64_t rays, BenchResult result) {
-    const std::size_t i = results_.size();
-    runs_.emplace_back([this, run, i] { work_[i] = run(); });
-    rays_.push_back(rays);
-    work_.emplace_back();
-    results_.push_back(std::move(result));
+  // `run` traces one frame of `rays` rays.
+  void add(std::function<FrameWork()> run, std::int64_t rays, BenchResult result) {
+    turns_.push_back({std::move(run), rays, std::move(result), {}, {}, 0});
   }
 
   // check(i, result) compares the frame that the i-th has just written for the first time.
   template <class Check>
-  std::vector<BenchResult> time(const MeasureOptions& options, Check check) {
-    const std::vector<double> seconds = time_in_turns(
-        runs_, [&](std::size_t i) { check(i, results_[i]); }, options);
-    for (std::size_t i = 0; i < runs_.size(); ++i)
-      set_speed(results_[i], work_[i], rays_[i], seconds[i]);
-    return std::move(results_);
+  std::vector<BenchResult> time(Check check) {
+    for (int repetition = 0; repetition < options_.repetitions; ++repetition)
+      for (std::size_t i = 0; i < turns_.size(); ++i) {
+        if (turns_[i].spent_s > options_.budget_s) continue;
+        take(turns_[i]);
+        if (repetition == 0) check(i, turns_[i].result);
+      }
+    std::vector<BenchResult> results;
+    for (Turns& turns : turns_) {
+      set_speed(turns.result, turns.work, turns.rays, median(turns.seconds));
+      results.push_back(std::move(turns.result));
+    }
+    return results;
   }
 
  private:
-  std::vector<std::function<void()>> runs_;
-  std::vector<std::int64_t> rays_;
-  std::vector<FrameWork> work_;
-  std::vector<BenchResult> results_;
+  struct Turns {
+    std::function<FrameWork()> run;
+    std::int64_t rays;
+    BenchResult result;
+    FrameWork work;
+    std::vector<double> seconds;
+    double spent_s;
+  };
+
+  void take(Turns& turns) const {
+    const double start_s = seconds_now(threads_);
+    turns.work = turns.run();
+    turns.seconds.push_back(seconds_now(threads_) - start_s);
+    turns.spent_s += turns.seconds.back();
+  }
+
+  const MeasureOptions& options_;
+  int threads_;
+  std::vector<Turns> turns_;
 };
 
 class Measurement {
@@ -128,11 +135,11 @@ class Measurement {
 
   [[nodiscard]] std::vector<BenchResult> primary(int threads) const {
     TracedFrame frame(view_.camera.options().size_px);
-    Round round;
+    Round round(options_, threads);
     for (const Entry& entry : entries_)
       round.add([&] { return entry.tracer.primary(threads, frame); },
                 static_cast<std::int64_t>(frame.pixels()), describe(entry, "primary", threads));
-    return round.time(options_, [&](std::size_t i, BenchResult& result) {
+    return round.time([&](std::size_t i, BenchResult& result) {
       if (entries_[i].reference)
         set_errors(result, trace_errors(entries_[i].reference->frame, frame));
       frame.clear();  // so that no contender passes off what another wrote
@@ -141,7 +148,7 @@ class Measurement {
 
   [[nodiscard]] std::vector<BenchResult> shadow(int threads) const {
     ShadowFrame frame(TracedFrame(view_.camera.options().size_px).pixels());
-    Round round;
+    Round round(options_, threads);
     std::vector<const ShadowFrame*> expected;
     for (const Entry& entry : entries_) {
       if (!entry.tracer.shadow || entry.reference->rays.count == 0) continue;
@@ -149,7 +156,7 @@ class Measurement {
                 entry.reference->rays.count, describe(entry, "shadow", threads));
       expected.push_back(&entry.reference->shadow);
     }
-    return round.time(options_, [&](std::size_t i, BenchResult& result) {
+    return round.time([&](std::size_t i, BenchResult& result) {
       result.hit_flips = shadow_flips(*expected[i], frame);
       constexpr std::uint8_t kNeverWritten = 2;
       std::fill(frame.begin(), frame.end(), kNeverWritten);

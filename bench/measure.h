@@ -1,4 +1,5 @@
 // Times contenders on the same rays, in turns, and compares what they write with the reference.
+// One thread is timed by its processor time, several by the wall clock.
 #pragma once
 
 #include <vector>

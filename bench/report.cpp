@@ -33,7 +33,7 @@ std::string pad(const std::string& text, std::size_t width, bool left) {
   return left ? text + space : space + text;
 }
 
-constexpr std::array<std::size_t, 13> kWidths{16, 12, 9, 9, 9, 8, 8, 9, 9, 10, 7, 9, 9};
+constexpr std::array<std::size_t, 13> kWidths{20, 11, 9, 9, 9, 8, 8, 8, 8, 10, 7, 9, 9};
 
 void print_row(std::ostream& out, const std::array<std::string, kWidths.size()>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) out << ' ' << pad(cells[i], kWidths[i], i < 2);
@@ -58,7 +58,7 @@ void print_group(std::ostream& out, std::vector<BenchResult> group) {
                     format("%.2f", result.mrays_per_s), format("%.1f", 1e3 / result.mrays_per_s),
                     best_embree > 0 ? format("%.2f", result.mrays_per_s / best_embree) : "-",
                     cell("%.2f", result.tests_per_ray), cell("%.2f", result.nodes_per_ray),
-                    cell("%.3f", result.build_s), cell("%.0f", result.memory_mib),
+                    cell("%.3f", result.build_s), cell("%.4g", result.memory_mib),
                     cell("%.2g", result.cells_differ), cell("%ld", result.hit_flips),
                     cell("%.2g", result.p99_rel_error), cell("%.2g", result.max_rel_error)});
 }
