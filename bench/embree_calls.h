@@ -1,12 +1,11 @@
 // How rays are handed to Embree: one by one, in packets, in streams of packets. Each struct has
-// kLanes rays a packet and kPackets packets a call; rays that are not valid are left alone.
+// kLanes rays a packet, from a tile of kWide pixels by kRows, and kPackets packets a call; rays
+// that are not valid are left alone.
 #pragma once
 
 #include <embree3/rtcore.h>
 
 namespace terrview {
-
-inline constexpr int kTileWide_px = 4;
 
 template <int kLanes>
 struct Packet;
@@ -21,17 +20,17 @@ struct Packet<16> {
   using Ray = RTCRay16;
 };
 
-// How the rays of `kPackets` packets of `kLanes` lanes are handed to Embree.
-template <int kLaneCount, int kPacketCount>
+template <int kLaneCount, int kPacketCount, int kTileWide>
 struct Calls {
   static constexpr int kLanes = kLaneCount;
   static constexpr int kPackets = kPacketCount;
-  static constexpr int kRows = kLanes / kTileWide_px;
+  static constexpr int kWide = kTileWide;
+  static constexpr int kRows = kLanes / kWide;
   using RayHit = typename Packet<kLanes>::RayHit;
   using Ray = typename Packet<kLanes>::Ray;
 };
 
-struct Packet8 : Calls<8, 1> {
+struct Packet8 : Calls<8, 1, 4> {
   static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
                         RayHit* packet) {
     rtcIntersect8(valid, scene, context, packet);
@@ -41,7 +40,11 @@ struct Packet8 : Calls<8, 1> {
   }
 };
 
-struct Packet16 : Calls<16, 1> {
+template <int kTileWide>
+struct Packet16 : Calls<16, 1, kTileWide> {
+  using typename Calls<16, 1, kTileWide>::RayHit;
+  using typename Calls<16, 1, kTileWide>::Ray;
+
   static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
                         RayHit* packet) {
     rtcIntersect16(valid, scene, context, packet);
@@ -51,16 +54,18 @@ struct Packet16 : Calls<16, 1> {
   }
 };
 
-struct Stream16 : Calls<16, 16> {
+template <int kTileWide>
+struct Stream16 : Calls<16, 16, kTileWide> {
+  using typename Calls<16, 16, kTileWide>::RayHit;
+  using typename Calls<16, 16, kTileWide>::Ray;
+
   static void intersect(const int* /*valid*/, RTCScene scene, RTCIntersectContext* context,
                         RayHit* packets) {
-    rtcIntersectNM(scene, context, reinterpret_cast<RTCRayHitN*>(packets), kLanes, kPackets,
-                   sizeof(RayHit));
+    rtcIntersectNM(scene, context, reinterpret_cast<RTCRayHitN*>(packets), 16, 16, sizeof(RayHit));
   }
   static void occlude(const int* /*valid*/, RTCScene scene, RTCIntersectContext* context,
                       Ray* packets) {
-    rtcOccludedNM(scene, context, reinterpret_cast<RTCRayN*>(packets), kLanes, kPackets,
-                  sizeof(Ray));
+    rtcOccludedNM(scene, context, reinterpret_cast<RTCRayN*>(packets), 16, 16, sizeof(Ray));
   }
 };
 
@@ -80,7 +85,7 @@ RTCRay ray_of(const Soa& rays, int lane) {
           0};
 }
 
-struct Single : Calls<16, 1> {
+struct Single : Calls<16, 1, 8> {
   static void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context,
                         RayHit* packet) {
     for (int lane = 0; lane < kLanes; ++lane) {

@@ -10,7 +10,8 @@
 namespace terrview {
 namespace {
 
-constexpr std::array<const char*, 4> kCallNames{"1", "8", "16", "16-stream"};
+constexpr std::array<const char*, 6> kCallNames{"1",         "8",      "16",
+                                                "16-square", "stream", "stream-square"};
 
 int bands(int rows_px, int rows_in_band) { return (rows_px + rows_in_band - 1) / rows_in_band; }
 
@@ -50,14 +51,17 @@ std::vector<Contender> embree_contenders(const BenchDem& dem) {
   const auto triangles = build(EmbreeGeometry::triangles);
   const auto compact = build(EmbreeGeometry::compact_triangles);
   const auto grid = build(EmbreeGeometry::grid);
-  return {contender("embree-tri", triangles, EmbreeCalls::single),
-          contender("embree-tri", triangles, EmbreeCalls::packet8),
-          contender("embree-tri", triangles, EmbreeCalls::packet16),
-          contender("embree-tri", triangles, EmbreeCalls::stream16),
-          contender("embree-compact", compact, EmbreeCalls::packet16),
-          contender("embree-grid", grid, EmbreeCalls::single),
-          contender("embree-grid", grid, EmbreeCalls::packet8),
-          contender("embree-grid", grid, EmbreeCalls::packet16)};
+  std::vector<Contender> contenders;
+  for (const EmbreeCalls calls :
+       {EmbreeCalls::single, EmbreeCalls::packet8, EmbreeCalls::packet16,
+        EmbreeCalls::packet16_square, EmbreeCalls::stream, EmbreeCalls::stream_square})
+    contenders.push_back(contender("embree-tri", triangles, calls));
+  for (const EmbreeCalls calls : {EmbreeCalls::packet16, EmbreeCalls::stream})
+    contenders.push_back(contender("embree-compact", compact, calls));
+  for (const EmbreeCalls calls : {EmbreeCalls::single, EmbreeCalls::packet8, EmbreeCalls::packet16,
+                                  EmbreeCalls::packet16_square})
+    contenders.push_back(contender("embree-grid", grid, calls));
+  return contenders;
 }
 
 std::string embree_version() { return RTC_VERSION_STRING; }

@@ -28,14 +28,15 @@ TERRVIEW_LANES void set_range(Ray& ray, const int* valid) {
   }
 }
 
-template <int kLanes, class RayHit>
+template <class How>
 TERRVIEW_LANES void aim(const PrimaryJob& job, glm::ivec2 corner_px, glm::ivec2 size_px,
-                        RayHit& packet, int* valid, double* lengths) {
+                        typename How::RayHit& packet, int* valid, double* lengths) {
+  constexpr int kLanes = How::kLanes;
   auto& ray = packet.ray;
   auto& hit = packet.hit;
   for (int lane = 0; lane < kLanes; ++lane) {
-    const int column = corner_px.x + lane % kTileWide_px;
-    const int row = corner_px.y + lane / kTileWide_px;
+    const int column = corner_px.x + lane % How::kWide;
+    const int row = corner_px.y + lane / How::kWide;
     valid[lane] = column < size_px.x && row < size_px.y ? -1 : 0;
     const double x = job.rays.corner.x + column * job.rays.right.x + row * job.rays.down.x;
     const double y = job.rays.corner.y + column * job.rays.right.y + row * job.rays.down.y;
@@ -74,27 +75,28 @@ TERRVIEW_LANES void cells_of(const EmbreeGround& ground, const Hit& hit, std::in
   }
 }
 
-template <int kLanes, class Value>
+template <class How, class Value>
 TERRVIEW_LANES void put(const Value* lanes, glm::ivec2 corner_px, glm::ivec2 size_px,
                         Value* plane) {
-  const int rows = std::min(kLanes / kTileWide_px, size_px.y - corner_px.y);
-  const int columns = std::min(kTileWide_px, size_px.x - corner_px.x);
+  const int rows = std::min(How::kRows, size_px.y - corner_px.y);
+  const int columns = std::min(How::kWide, size_px.x - corner_px.x);
   for (int row = 0; row < rows; ++row) {
     Value* to = plane +
                 static_cast<std::size_t>(corner_px.y + row) * static_cast<std::size_t>(size_px.x) +
                 static_cast<std::size_t>(corner_px.x);
-    if (columns == kTileWide_px) {
-      for (int column = 0; column < kTileWide_px; ++column) to[column] = *lanes++;
+    if (columns == How::kWide) {
+      for (int column = 0; column < How::kWide; ++column) to[column] = *lanes++;
     } else {
       std::copy_n(lanes, columns, to);
-      lanes += kTileWide_px;
+      lanes += How::kWide;
     }
   }
 }
 
-template <int kLanes, class RayHit>
-TERRVIEW_LANES void store(const EmbreeGround& ground, const RayHit& packet, const double* lengths,
-                          glm::ivec2 corner_px, TracedFrame& frame) {
+template <class How>
+TERRVIEW_LANES void store(const EmbreeGround& ground, const typename How::RayHit& packet,
+                          const double* lengths, glm::ivec2 corner_px, TracedFrame& frame) {
+  constexpr int kLanes = How::kLanes;
   constexpr auto kCount = static_cast<std::size_t>(kLanes);
   const auto& hit = packet.hit;
   alignas(64) double distances_m[kCount];
@@ -114,10 +116,10 @@ TERRVIEW_LANES void store(const EmbreeGround& ground, const RayHit& packet, cons
     east[lane] = found ? x * scale : 0;
     north[lane] = found ? y * scale : 0;
   }
-  put<kLanes>(distances_m, corner_px, frame.size_px, frame.distance_m.data());
-  put<kLanes>(cells, corner_px, frame.size_px, frame.cell.data());
-  put<kLanes>(east, corner_px, frame.size_px, frame.normal_east.data());
-  put<kLanes>(north, corner_px, frame.size_px, frame.normal_north.data());
+  put<How>(distances_m, corner_px, frame.size_px, frame.distance_m.data());
+  put<How>(cells, corner_px, frame.size_px, frame.cell.data());
+  put<How>(east, corner_px, frame.size_px, frame.normal_east.data());
+  put<How>(north, corner_px, frame.size_px, frame.normal_north.data());
 }
 
 template <class How>
@@ -130,41 +132,42 @@ TERRVIEW_LANES void primary_band(const PrimaryJob& job, int top, TracedFrame& fr
   typename How::RayHit packets[How::kPackets];
   alignas(64) int valid[How::kPackets][kCount];
   alignas(64) double lengths[How::kPackets][kCount];
-  for (int left = 0; left < frame.size_px.x; left += kTileWide_px * How::kPackets) {
+  for (int left = 0; left < frame.size_px.x; left += How::kWide * How::kPackets) {
     for (int i = 0; i < How::kPackets; ++i)
-      aim<kLanes>(job, {left + i * kTileWide_px, top}, frame.size_px, packets[i], valid[i],
-                  lengths[i]);
+      aim<How>(job, {left + i * How::kWide, top}, frame.size_px, packets[i], valid[i], lengths[i]);
     How::intersect(valid[0], job.ground.scene(), &context, packets);
-    for (int i = 0; i < How::kPackets && left + i * kTileWide_px < frame.size_px.x; ++i)
-      store<kLanes>(job.ground, packets[i], lengths[i], {left + i * kTileWide_px, top}, frame);
+    for (int i = 0; i < How::kPackets && left + i * How::kWide < frame.size_px.x; ++i)
+      store<How>(job.ground, packets[i], lengths[i], {left + i * How::kWide, top}, frame);
   }
 }
 
-template <int kLanes>
+template <class How>
 TERRVIEW_LANES void get(const std::vector<float>& plane, glm::ivec2 corner_px, glm::ivec2 size_px,
                         float* lanes) {
-  const int columns = std::min(kTileWide_px, size_px.x - corner_px.x);
-  for (int row = corner_px.y; row < corner_px.y + kLanes / kTileWide_px; ++row) {
+  const int columns = std::min(How::kWide, size_px.x - corner_px.x);
+  for (int row = corner_px.y; row < corner_px.y + How::kRows; ++row) {
     const bool inside = row < size_px.y;
     const float* from =
         plane.data() +
         static_cast<std::size_t>(inside ? row : 0) * static_cast<std::size_t>(size_px.x) +
         static_cast<std::size_t>(std::max(0, corner_px.x));
-    if (inside && columns == kTileWide_px) {
-      for (int column = 0; column < kTileWide_px; ++column) *lanes++ = from[column];
+    if (inside && columns == How::kWide) {
+      for (int column = 0; column < How::kWide; ++column) *lanes++ = from[column];
     } else {
-      for (int column = 0; column < kTileWide_px; ++column)
+      for (int column = 0; column < How::kWide; ++column)
         *lanes++ =
             inside && column < columns ? from[column] : std::numeric_limits<float>::quiet_NaN();
     }
   }
 }
 
-template <int kLanes, class Ray>
-TERRVIEW_LANES void aim_at_sun(const ShadowJob& job, glm::ivec2 corner_px, Ray& ray, int* valid) {
-  get<kLanes>(job.rays.x_m, corner_px, job.rays.size_px, ray.org_x);
-  get<kLanes>(job.rays.y_m, corner_px, job.rays.size_px, ray.org_y);
-  get<kLanes>(job.rays.z_m, corner_px, job.rays.size_px, ray.org_z);
+template <class How>
+TERRVIEW_LANES void aim_at_sun(const ShadowJob& job, glm::ivec2 corner_px, typename How::Ray& ray,
+                               int* valid) {
+  constexpr int kLanes = How::kLanes;
+  get<How>(job.rays.x_m, corner_px, job.rays.size_px, ray.org_x);
+  get<How>(job.rays.y_m, corner_px, job.rays.size_px, ray.org_y);
+  get<How>(job.rays.z_m, corner_px, job.rays.size_px, ray.org_z);
   for (int lane = 0; lane < kLanes; ++lane) {
     valid[lane] = ray.org_x[lane] == ray.org_x[lane] ? -1 : 0;
     ray.dir_x[lane] = static_cast<float>(job.to_sun.x);
@@ -185,14 +188,14 @@ TERRVIEW_LANES void shadow_band(const ShadowJob& job, int top, ShadowFrame& fram
   typename How::Ray packets[How::kPackets];
   alignas(64) int valid[How::kPackets][kCount];
   alignas(64) std::uint8_t stopped[kCount];
-  for (int left = 0; left < size_px.x; left += kTileWide_px * How::kPackets) {
+  for (int left = 0; left < size_px.x; left += How::kWide * How::kPackets) {
     for (int i = 0; i < How::kPackets; ++i)
-      aim_at_sun<kLanes>(job, {left + i * kTileWide_px, top}, packets[i], valid[i]);
+      aim_at_sun<How>(job, {left + i * How::kWide, top}, packets[i], valid[i]);
     How::occlude(valid[0], job.ground.scene(), &context, packets);
-    for (int i = 0; i < How::kPackets && left + i * kTileWide_px < size_px.x; ++i) {
+    for (int i = 0; i < How::kPackets && left + i * How::kWide < size_px.x; ++i) {
       for (int lane = 0; lane < kLanes; ++lane)
         stopped[lane] = valid[i][lane] && packets[i].tfar[lane] < 0 ? 1 : 0;
-      put<kLanes>(stopped, {left + i * kTileWide_px, top}, size_px, frame.data());
+      put<How>(stopped, {left + i * How::kWide, top}, size_px, frame.data());
     }
   }
 }
@@ -257,11 +260,15 @@ BandTracer band_tracer(EmbreeCalls calls) {
     case EmbreeCalls::packet8:
       return best_for_this_cpu<Packet8>();
     case EmbreeCalls::packet16:
-      return best_for_this_cpu<Packet16>();
-    case EmbreeCalls::stream16:
+      return best_for_this_cpu<Packet16<8>>();
+    case EmbreeCalls::packet16_square:
+      return best_for_this_cpu<Packet16<4>>();
+    case EmbreeCalls::stream:
+      return best_for_this_cpu<Stream16<8>>();
+    case EmbreeCalls::stream_square:
       break;
   }
-  return best_for_this_cpu<Stream16>();
+  return best_for_this_cpu<Stream16<4>>();
 }
 
 }  // namespace terrview

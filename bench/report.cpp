@@ -33,7 +33,7 @@ std::string pad(const std::string& text, std::size_t width, bool left) {
   return left ? text + space : space + text;
 }
 
-constexpr std::array<std::size_t, 13> kWidths{20, 11, 9, 9, 9, 8, 8, 8, 8, 10, 7, 9, 9};
+constexpr std::array<std::size_t, 13> kWidths{24, 11, 9, 9, 9, 8, 8, 8, 8, 10, 7, 9, 9};
 
 void print_row(std::ostream& out, const std::array<std::string, kWidths.size()>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) out << ' ' << pad(cells[i], kWidths[i], i < 2);
