@@ -19,7 +19,6 @@ constexpr double kFov_rad = 60 * kDegree;
 constexpr double kSunElevation_rad = 20 * kDegree;
 constexpr double kSunAzimuth_rad = 230 * kDegree;
 constexpr double kOffCentre_rad = 7 * kDegree;  // keeps headings off the diagonals
-constexpr glm::ivec2 kThesisSize_px{640, 512};
 // Off the posts and lines of the grid, and exact in a float.
 constexpr glm::dvec2 kInsideCell{0.375, 0.625};
 
@@ -39,7 +38,7 @@ constexpr std::array<Recipe, 6> kRecipes{{
     {"valley", Place::floor, 300, 1.0 / 32, -10 * kDegree},
     {"oblique", Place::summit, 1500, 1.0 / 8, -35 * kDegree},
     {"down", Place::middle, 2000, 1.0 / 8, -90 * kDegree},
-    {"up", Place::floor, 10, 1.0 / 64, 10 * kDegree},
+    {"up", Place::floor, 100, 1.0 / 64, 10 * kDegree},
 }};
 
 // The highest or lowest post of a window in the south-west, away from the borders.
@@ -79,13 +78,6 @@ glm::dvec3 sun_direction() {
 
 double azimuth_rad(glm::dvec2 towards) { return std::atan2(towards.x, towards.y); }
 
-// The height is rounded so that a float holds it.
-BenchView make_view(const BenchDem& dem, const char* name, glm::dvec2 eye_uv, double eye_height_m,
-                    const CameraOptions& camera) {
-  const double height_m = std::round(eye_height_m * 16) / 16;
-  return {name, Camera(camera), eye_uv, {dem.scene_xy_m(eye_uv), height_m}, sun_direction()};
-}
-
 BenchView follow(const Recipe& recipe, const BenchDem& dem, glm::ivec2 size_px) {
   const glm::dvec2 uv = eye_uv_of(dem, recipe.place);
   const double above_m = std::min(recipe.above_ground_m, recipe.extent_share * dem.extent_m());
@@ -95,7 +87,7 @@ BenchView follow(const Recipe& recipe, const BenchDem& dem, glm::ivec2 size_px) 
   } else if (recipe.place != Place::middle) {
     camera.heading_rad = azimuth_rad(-dem.scene_xy_m(uv)) + kOffCentre_rad;
   }
-  return make_view(dem, recipe.name, uv, dem.height_m(uv) + above_m, camera);
+  return make_view(dem, recipe.name, {uv, dem.height_m(uv) + above_m}, camera);
 }
 
 }  // namespace
@@ -106,22 +98,10 @@ std::vector<BenchView> six_views(const BenchDem& dem, glm::ivec2 size_px) {
   return views;
 }
 
-BenchView thesis_valley(const BenchDem& dem) {
-  const glm::dvec2 uv = eye_uv_of(dem, Place::floor);
-  const CameraOptions camera{.heading_rad = azimuth_rad(-dem.scene_xy_m(uv)),
-                             .fov_rad = kFov_rad,
-                             .size_px = kThesisSize_px};
-  return make_view(dem, "valley", uv, dem.height_m(uv) + dem.extent_m() / 64, camera);
-}
-
-BenchView thesis_top(const BenchDem& dem) {
-  const glm::dvec2 uv(dem.grid->columns / 2, dem.grid->rows * 1.25);
-  const glm::dvec3 eye_m(dem.scene_xy_m(uv), dem.extent_m() * 0.5);
-  const CameraOptions camera{.heading_rad = azimuth_rad(-glm::dvec2(eye_m)),
-                             .pitch_rad = std::atan2(-eye_m.z, std::hypot(eye_m.x, eye_m.y)),
-                             .fov_rad = kFov_rad,
-                             .size_px = kThesisSize_px};
-  return make_view(dem, "oblique", uv, eye_m.z, camera);
+BenchView make_view(const BenchDem& dem, const std::string& name, const BenchEye& eye,
+                    const CameraOptions& camera) {
+  const double height_m = std::round(eye.height_m * 16) / 16;
+  return {name, Camera(camera), eye.uv, {dem.scene_xy_m(eye.uv), height_m}, sun_direction()};
 }
 
 Terrain terrain_of(const BenchDem& dem, const BenchView& view, SurfaceModel model, Search search) {
