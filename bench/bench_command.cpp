@@ -1,0 +1,151 @@
+#include "bench/bench_command.h"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "bench/bench_dem.h"
+#include "bench/bench_options.h"
+#include "bench/bench_result.h"
+#include "bench/bench_view.h"
+#include "bench/contender.h"
+#include "bench/machine.h"
+#include "bench/measure.h"
+#include "bench/report.h"
+#include "cli/output_file.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+// Made when its turn comes, so that one DEM at a time is in memory.
+struct Case {
+  std::string scene;
+  std::function<BenchDem()> dem;
+  std::function<std::vector<BenchView>(const BenchDem&)> views;
+};
+
+BenchDem with_heights_times(float factor, const BenchDem& dem) {
+  HeightGrid grid = *dem.grid;
+  for (float& height_m : grid.heights_m) height_m *= factor;
+  return make_bench_dem(dem.name, std::move(grid), dem.step_m);
+}
+
+// Coquillart 1984, 2.4: the heights of photo 2 are doubled, those of photo 3 tripled.
+void add_thesis(std::vector<Case>& cases, const std::function<BenchDem()>& dem) {
+  cases.push_back({"thesis", [dem] { return with_heights_times(2, dem()); },
+                   [](const BenchDem& made) { return std::vector{thesis_valley(made)}; }});
+  cases.push_back({"thesis", [dem] { return with_heights_times(3, dem()); },
+                   [](const BenchDem& made) { return std::vector{thesis_top(made)}; }});
+}
+
+bool is_thesis_grid(const BenchDem& dem) {
+  return dem.grid->columns == 256 && dem.grid->rows == 256;
+}
+
+std::vector<Case> make_cases(const BenchOptions& options) {
+  const auto views = [size = options.size_px](const BenchDem& dem) { return six_views(dem, size); };
+  std::vector<Case> cases{
+      {"synthetic", [n = options.mountain_posts] { return synthetic_mountains(n); }, views},
+      {"city", [n = options.city_posts] { return synthetic_city(n); }, views}};
+  std::function<BenchDem()> thesis = thesis_mountains;
+  for (const std::string& path : options.dems) {
+    const BenchDem dem = read_bench_dem(path);  // a bad file is known before the measuring
+    cases.push_back({"dem", [path] { return read_bench_dem(path); }, views});
+    if (is_thesis_grid(dem))
+      thesis = [path] {
+        BenchDem found = read_bench_dem(path);
+        found.name = "thesis-" + found.name;
+        return found;
+      };
+  }
+  add_thesis(cases, thesis);
+  return cases;
+}
+
+bool is_chosen(const std::vector<std::string>& chosen, const std::string& name) {
+  return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+}
+
+std::vector<Contender> make_contenders(const BenchOptions& options, const BenchDem& dem) {
+  std::vector<Contender> contenders = terrview_contenders(dem);
+  for (Contender& contender : embree_contenders(dem)) contenders.push_back(std::move(contender));
+  std::erase_if(contenders, [&](const Contender& contender) {
+    const auto begins = [&](const std::string& name) { return contender.name.starts_with(name); };
+    return !options.contenders.empty() &&
+           std::none_of(options.contenders.begin(), options.contenders.end(), begins);
+  });
+  return contenders;
+}
+
+void measure_case(const Case& which, const BenchOptions& options, BenchRun& run) {
+  const BenchDem dem = which.dem();
+  std::vector<BenchView> views = which.views(dem);
+  std::erase_if(views, [&](const BenchView& view) { return !is_chosen(options.views, view.name); });
+  if (views.empty()) return;
+  const std::vector<Contender> contenders = make_contenders(options, dem);
+  const MeasureOptions how{options.threads, options.repetitions, options.budget_s};
+  for (const BenchView& view : views) {
+    const std::vector<BenchResult> results = measure(dem, view, contenders, how);
+    print_view(std::cout, results);
+    std::cout.flush();
+    run.results.insert(run.results.end(), results.begin(), results.end());
+  }
+}
+
+BenchRun measure_all(const BenchOptions& options, const std::vector<std::string>& args) {
+  BenchRun run{describe_machine(), "terrview-bench", utc_date(), {}};
+  for (const std::string& arg : args) run.command += " " + arg;
+  std::cout << run.machine.dump() << '\n';
+  for (const Case& each : make_cases(options))
+    if (is_chosen(options.scenes, each.scene)) measure_case(each, options, run);
+  print_thesis(std::cout, run.results);
+  return run;
+}
+
+BenchRun read_run(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError("--from: " + path + ": cannot be opened: check its name");
+  try {
+    return run_from_json(nlohmann::ordered_json::parse(file));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError("--from: " + path + ": not what --json writes (" + error.what() +
+                     "): measure again");
+  }
+}
+
+std::optional<OutputFile> claim(const std::string& path) {
+  if (path.empty()) return std::nullopt;
+  return std::optional<OutputFile>(std::in_place, path, /*overwrite=*/true);
+}
+
+void finish(std::optional<OutputFile>& file, const std::string& text) {
+  if (!file) return;
+  write_text(*file, text);
+  file->commit();
+}
+
+}  // namespace
+
+int run_bench(const std::vector<std::string>& args) {
+  const std::optional<BenchOptions> options = parse_bench_options(args);
+  if (!options) return 0;
+  std::optional<OutputFile> json = claim(options->json);
+  std::optional<OutputFile> svg = claim(options->svg);
+  BenchRun run;
+  if (options->from.empty()) {
+    run = measure_all(*options, args);
+  } else {
+    run = read_run(options->from);
+    print_view(std::cout, run.results);
+    print_thesis(std::cout, run.results);
+  }
+  finish(json, to_json(run).dump(1) + '\n');
+  finish(svg, figure_svg(run));
+  return 0;
+}
+
+}  // namespace terrview

@@ -1,0 +1,89 @@
+#include "bench/bench_result.h"
+
+namespace terrview {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Calls visit(name, member) for every field, in the order of the file.
+template <class Result, class Visit>
+void visit_fields(Result& result, Visit visit) {
+  visit("dem", result.dem);
+  visit("view", result.view);
+  visit("rays", result.rays);
+  visit("contender", result.contender);
+  visit("threads", result.threads);
+  visit("surface", result.surface);
+  visit("mrays_per_s", result.mrays_per_s);
+  visit("tests_per_ray", result.tests_per_ray);
+  visit("nodes_per_ray", result.nodes_per_ray);
+  visit("build_s", result.build_s);
+  visit("memory_mib", result.memory_mib);
+  visit("cells_differ", result.cells_differ);
+  visit("hit_flips", result.hit_flips);
+  visit("p50_rel_error", result.p50_rel_error);
+  visit("p99_rel_error", result.p99_rel_error);
+  visit("max_rel_error", result.max_rel_error);
+}
+
+template <class Value>
+Json json_of(const Value& value) {
+  return value;
+}
+
+template <class Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class Value>
+void read(const Json& json, Value& value) {
+  value = json.get<Value>();
+}
+
+template <class Value>
+void read(const Json& json, std::optional<Value>& value) {
+  if (!json.is_null()) value = json.get<Value>();
+}
+
+}  // namespace
+
+std::string name_of(SurfaceModel model) {
+  switch (model) {
+    case SurfaceModel::hyperboloid:
+      return "hyperboloid";
+    case SurfaceModel::triangles:
+      return "triangles";
+    case SurfaceModel::bilinear:
+      break;
+  }
+  return "bilinear";
+}
+
+Json to_json(const BenchRun& run) {
+  Json results = Json::array();
+  for (const BenchResult& result : run.results) {
+    Json json;
+    visit_fields(result, [&](const char* name, const auto& value) { json[name] = json_of(value); });
+    results.push_back(std::move(json));
+  }
+  return {{"machine", run.machine},
+          {"command", run.command},
+          {"date", run.date},
+          {"results", std::move(results)}};
+}
+
+BenchRun run_from_json(const Json& json) {
+  BenchRun run{json.at("machine"),
+               json.at("command").get<std::string>(),
+               json.at("date").get<std::string>(),
+               {}};
+  for (const Json& entry : json.at("results")) {
+    BenchResult result;
+    visit_fields(result, [&](const char* name, auto& value) { read(entry.at(name), value); });
+    run.results.push_back(std::move(result));
+  }
+  return run;
+}
+
+}  // namespace terrview

@@ -1,0 +1,49 @@
+// One line of the benchmark, and the file that keeps them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "terrain/surface_model.h"
+
+namespace terrview {
+
+struct BenchResult {
+  std::string dem;
+  std::string view;
+  std::string rays;  // primary or shadow
+  std::string contender;
+  int threads = 1;
+  std::optional<std::string> surface;
+  double mrays_per_s = 0;  // set-up of the rays, tracing, writing the frame; the median
+  std::optional<double> tests_per_ray;
+  std::optional<double> nodes_per_ray;
+  std::optional<double> build_s;
+  std::optional<double> memory_mib;
+  std::optional<double> cells_differ;
+  std::optional<std::int64_t> hit_flips;
+  std::optional<double> p50_rel_error;
+  std::optional<double> p99_rel_error;
+  std::optional<double> max_rel_error;
+};
+
+struct BenchRun {
+  nlohmann::ordered_json machine;
+  std::string command;
+  std::string date;  // ISO 8601, UTC
+  std::vector<BenchResult> results;
+};
+
+[[nodiscard]] std::string name_of(SurfaceModel model);
+
+// What does not apply is null.
+[[nodiscard]] nlohmann::ordered_json to_json(const BenchRun& run);
+
+// Throws nlohmann::json::exception for JSON of another shape.
+[[nodiscard]] BenchRun run_from_json(const nlohmann::ordered_json& json);
+
+}  // namespace terrview

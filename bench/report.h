@@ -1,0 +1,23 @@
+// The results as a table to read and as a figure.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "bench/bench_result.h"
+
+namespace terrview {
+
+// The results of one view, kind of ray by kind of ray: speeds also over that of Embree's best
+// there.
+void print_view(std::ostream& out, const std::vector<BenchResult>& results);
+
+// Tests per ray beside those of Coquillart 1984; nothing where no result is of the thesis's grid.
+void print_thesis(std::ostream& out, const std::vector<BenchResult>& results);
+
+// Speed against error, SVG: one panel per DEM and view, one mark per contender, primary rays, the
+// fewest threads measured. Logarithmic axes; an error of zero stands in a column of its own.
+[[nodiscard]] std::string figure_svg(const BenchRun& run);
+
+}  // namespace terrview

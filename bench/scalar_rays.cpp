@@ -1,0 +1,91 @@
+#include "bench/scalar_rays.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "render/parallel.h"
+
+namespace terrview {
+namespace {
+
+constexpr double kLift_m = 0.001;
+
+void store(const std::optional<Hit>& hit, const Terrain& terrain, TracedFrame& frame,
+           std::size_t pixel) {
+  glm::dvec3 normal(0);
+  if (hit) normal = terrain.facet_normal(*hit);
+  const int cells_in_row = terrain.layers()[0].grid->columns - 1;
+  frame.distance_m[pixel] = hit ? hit->distance_m : std::numeric_limits<double>::infinity();
+  frame.cell[pixel] = hit ? hit->cell.y * cells_in_row + hit->cell.x : kNoCell;
+  frame.normal_east[pixel] = static_cast<float>(normal.x);
+  frame.normal_north[pixel] = static_cast<float>(normal.y);
+}
+
+// The least float that is no less than `value`.
+float round_up(double value) {
+  const auto nearest = static_cast<float>(value);
+  return nearest >= value ? nearest
+                          : std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
+                     TracedFrame& frame) {
+  std::atomic<std::int64_t> tests = 0;
+  std::atomic<std::int64_t> nodes = 0;
+  parallel_rows(frame.size_px.y, threads, [&](int row) {
+    TraceCounts counts;
+    for (int column = 0; column < frame.size_px.x; ++column) {
+      const Ray ray = camera.ray({column + 0.5, row + 0.5});
+      store(terrain.first_hit(ray, &counts), terrain, frame, frame.index(column, row));
+    }
+    tests += counts.tests;
+    nodes += counts.nodes;
+  });
+  return {.tests = tests, .nodes = nodes};
+}
+
+FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
+                     int threads, ShadowFrame& frame) {
+  parallel_rows(rays.size_px.y, threads, [&](int row) {
+    const auto width = static_cast<std::size_t>(rays.size_px.x);
+    const std::size_t first = static_cast<std::size_t>(row) * width;
+    for (std::size_t i = first; i < first + width; ++i) {
+      const glm::dvec3 from_m(rays.x_m[i], rays.y_m[i], rays.z_m[i]);
+      const bool stopped =
+          !std::isnan(rays.x_m[i]) &&
+          terrain.occluded({.origin_m = from_m - view.eye_m, .direction = view.to_sun});
+      frame[i] = stopped ? 1 : 0;
+    }
+  });
+  return {};
+}
+
+ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const TracedFrame& frame) {
+  ShadowRays rays(frame.size_px);
+  std::atomic<std::int64_t> count = 0;
+  parallel_rows(frame.size_px.y, 0, [&](int row) {
+    for (int column = 0; column < frame.size_px.x; ++column) {
+      const std::size_t i = frame.index(column, row);
+      rays.x_m[i] = rays.y_m[i] = rays.z_m[i] = std::numeric_limits<float>::quiet_NaN();
+      if (frame.cell[i] == kNoCell) continue;
+      const Ray ray = view.camera.ray({column + 0.5, row + 0.5});
+      const glm::vec2 xy_m(glm::dvec2(view.eye_m) +
+                           frame.distance_m[i] * glm::dvec2(ray.direction));
+      const auto ground = terrain.ground_at(glm::dvec2(xy_m) - glm::dvec2(view.eye_m));
+      if (!ground) continue;
+      rays.x_m[i] = xy_m.x;
+      rays.y_m[i] = xy_m.y;
+      rays.z_m[i] = round_up(ground->scene_height_m + kLift_m);
+      ++count;
+    }
+  });
+  rays.count = count;
+  return rays;
+}
+
+}  // namespace terrview

@@ -1,0 +1,21 @@
+// Every ray on its own, by the scalar walk in double precision: with Search::plain, the reference.
+#pragma once
+
+#include "bench/bench_view.h"
+#include "bench/contender.h"
+#include "bench/traced_frame.h"
+#include "terrain/terrain.h"
+
+namespace terrview {
+
+FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads, TracedFrame& frame);
+
+FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
+                     int threads, ShadowFrame& frame);
+
+// Rays towards the sun from the ground that `frame` shows. They start where a float can say so, a
+// millimetre above the ground there, so that no contender meets the ground it leaves.
+[[nodiscard]] ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view,
+                                     const TracedFrame& frame);
+
+}  // namespace terrview
