@@ -1,9 +1,9 @@
 #include "tests/ingest/test_raster.h"
 
 #include <ogr_spatialref.h>
-#include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -49,17 +49,6 @@ void set_band(GDALRasterBand& band, const TestRaster& raster) {
 }
 
 }  // namespace
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "terrview-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  folder_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
 
 std::string TestRaster::write(const std::string& path, const std::string& driver) const {
   GDALAllRegister();

@@ -1,0 +1,105 @@
+// One test per promise of render/color_ramp.h.
+#include "render/color_ramp.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace terrview {
+namespace {
+
+constexpr glm::vec3 kRed(1, 0, 0);
+constexpr glm::vec3 kGreen(0, 1, 0);
+constexpr glm::vec3 kBlue(0, 0, 1);
+constexpr glm::vec3 kFallback(0.25F, 0.5F, 0.75F);
+
+ColorRamp three_stops(RampInterpolation interpolation) {
+  return {{{0, kRed}, {100, kGreen}, {300, kBlue}}, interpolation, kFallback};
+}
+
+TEST(LinearRamp, MixesTheTwoStopsAroundAHeight) {
+  const ColorRamp ramp = three_stops(RampInterpolation::linear);
+  EXPECT_EQ(ramp.at(25), glm::vec3(0.75F, 0.25F, 0));
+  EXPECT_EQ(ramp.at(250), glm::vec3(0, 0.25F, 0.75F));
+  EXPECT_EQ(ramp.at(100), kGreen);
+}
+
+TEST(LinearRamp, KeepsItsFirstAndLastColourBeyondThem) {
+  const ColorRamp ramp = three_stops(RampInterpolation::linear);
+  EXPECT_EQ(ramp.at(-1e6), kRed);
+  EXPECT_EQ(ramp.at(1e6), kBlue);
+}
+
+TEST(DiscreteRamp, TakesTheFirstStopThatIsNotBelow) {
+  const ColorRamp ramp = three_stops(RampInterpolation::discrete);
+  EXPECT_EQ(ramp.at(-5), kRed);
+  EXPECT_EQ(ramp.at(0.001), kGreen);
+  EXPECT_EQ(ramp.at(100), kGreen);
+  EXPECT_EQ(ramp.at(299), kBlue);
+  EXPECT_EQ(ramp.at(300.5), kFallback);
+}
+
+TEST(ExactRamp, KnowsTheHeightsOfItsStopsAlone) {
+  const ColorRamp ramp = three_stops(RampInterpolation::exact);
+  EXPECT_EQ(ramp.at(0), kRed);
+  EXPECT_EQ(ramp.at(300), kBlue);
+  EXPECT_EQ(ramp.at(300.0001), kFallback);
+  EXPECT_EQ(ramp.at(-1), kFallback);
+}
+
+TEST(NearestRamp, TakesTheNearestStop) {
+  const ColorRamp ramp = three_stops(RampInterpolation::nearest);
+  EXPECT_EQ(ramp.at(-1000), kRed);
+  EXPECT_EQ(ramp.at(49), kRed);
+  EXPECT_EQ(ramp.at(51), kGreen);
+  EXPECT_EQ(ramp.at(199), kGreen);
+  EXPECT_EQ(ramp.at(201), kBlue);
+  EXPECT_EQ(ramp.at(1000), kBlue);
+}
+
+TEST(EmptyRamp, HasItsFallbackEverywhere) {
+  for (const auto interpolation : {RampInterpolation::linear, RampInterpolation::discrete,
+                                   RampInterpolation::exact, RampInterpolation::nearest}) {
+    const ColorRamp ramp{{}, interpolation, kFallback};
+    EXPECT_EQ(ramp.at(12), kFallback);
+  }
+}
+
+TEST(Srgb, ComesBackFromLinearForAll256Values) {
+  for (int value = 0; value < 256; ++value) {
+    const auto level = static_cast<float>(value);
+    const glm::vec3 linear = from_srgb8(level, 255 - level, 0);
+    EXPECT_EQ(std::lround(to_srgb(linear.x) * 255), value);
+    EXPECT_EQ(std::lround(to_srgb(linear.y) * 255), 255 - value);
+    EXPECT_EQ(linear.z, 0);
+  }
+}
+
+TEST(Srgb, FollowsIec61966) {
+  // Published pairs: half the light is 188 of 255, and 10 of 255 lies on the straight part.
+  EXPECT_NEAR(to_srgb(0.5F), 0.735357F, 1e-6);
+  EXPECT_NEAR(from_srgb8(128, 10, 255).x, 0.215861F, 1e-6);
+  EXPECT_NEAR(from_srgb8(128, 10, 255).y, 10.0F / 255 / 12.92F, 1e-8);
+  EXPECT_EQ(from_srgb8(128, 10, 255).z, 1);
+}
+
+TEST(Srgb, ClampsWhatNoFileHolds) {
+  EXPECT_EQ(to_srgb(-3), 0);
+  EXPECT_FLOAT_EQ(to_srgb(7), 1);
+}
+
+TEST(AltitudeTints, RiseFromGreenLowlandToSnow) {
+  const ColorRamp& ramp = altitude_tints();
+  for (std::size_t i = 1; i < ramp.stops.size(); ++i)
+    EXPECT_LT(ramp.stops[i - 1].height_m, ramp.stops[i].height_m);
+  const glm::vec3 lowland = ramp.at(150);
+  EXPECT_GT(lowland.y, lowland.x);
+  EXPECT_GT(lowland.y, lowland.z);
+  const glm::vec3 snow = ramp.at(8000);
+  EXPECT_GT(std::min({snow.x, snow.y, snow.z}), 0.9F);
+}
+
+}  // namespace
+}  // namespace terrview
