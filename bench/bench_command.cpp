@@ -16,6 +16,7 @@
 #include "bench/measure.h"
 #include "bench/report.h"
 #include "cli/output_file.h"
+#include "render/write_file.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -124,7 +125,7 @@ std::optional<OutputFile> claim(const std::string& path) {
 
 void finish(std::optional<OutputFile>& file, const std::string& text) {
   if (!file) return;
-  write_text(*file, text);
+  file->fill([&](const std::string& path) { write_file(path, text); });
   file->commit();
 }
 

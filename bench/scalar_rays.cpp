@@ -37,7 +37,7 @@ FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
                      TracedFrame& frame) {
   std::atomic<std::int64_t> tests = 0;
   std::atomic<std::int64_t> nodes = 0;
-  parallel_rows(frame.size_px.y, threads, [&](int row) {
+  parallel_for(frame.size_px.y, threads, [&](int row) {
     TraceCounts counts;
     for (int column = 0; column < frame.size_px.x; ++column) {
       const Ray ray = camera.ray({column + 0.5, row + 0.5});
@@ -51,7 +51,7 @@ FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
 
 FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
                      int threads, ShadowFrame& frame) {
-  parallel_rows(rays.size_px.y, threads, [&](int row) {
+  parallel_for(rays.size_px.y, threads, [&](int row) {
     const auto width = static_cast<std::size_t>(rays.size_px.x);
     const std::size_t first = static_cast<std::size_t>(row) * width;
     for (std::size_t i = first; i < first + width; ++i) {
@@ -68,7 +68,7 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const Shadow
 ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const TracedFrame& frame) {
   ShadowRays rays(frame.size_px);
   std::atomic<std::int64_t> count = 0;
-  parallel_rows(frame.size_px.y, 0, [&](int row) {
+  parallel_for(frame.size_px.y, 0, [&](int row) {
     for (int column = 0; column < frame.size_px.x; ++column) {
       const std::size_t i = frame.index(column, row);
       rays.x_m[i] = rays.y_m[i] = rays.z_m[i] = std::numeric_limits<float>::quiet_NaN();
