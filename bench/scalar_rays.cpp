@@ -1,12 +1,17 @@
 #include "bench/scalar_rays.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "render/parallel.h"
+#include "terrain/column_tracer.h"
 
 namespace terrview {
 namespace {
@@ -49,6 +54,31 @@ FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
   return {.tests = tests, .nodes = nodes};
 }
 
+FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threads,
+                       TracedFrame& frame) {
+  constexpr int kStripColumns = 16;
+  const int strips = (frame.size_px.x + kStripColumns - 1) / kStripColumns;
+  const auto rows = static_cast<std::size_t>(frame.size_px.y);
+  std::atomic<std::int64_t> tests = 0;
+  parallel_for(strips, threads, [&](int strip) {
+    const int first = strip * kStripColumns;
+    const int count = std::min(kStripColumns, frame.size_px.x - first);
+    std::vector<ColumnHit> hits(static_cast<std::size_t>(count) * rows);
+    TraceCounts counts;
+    trace_columns(terrain, view, first, count, hits, counts);
+    auto hit = hits.begin();
+    for (int column = first; column < first + count; ++column) {
+      for (int row = 0; row < frame.size_px.y; ++row, ++hit) {
+        std::optional<Hit> met;
+        if (hit->g_m >= 0) met = column_hit(view, column, row, *hit);
+        store(met, terrain, frame, frame.index(column, row));
+      }
+    }
+    tests += counts.tests;
+  });
+  return {.tests = tests, .nodes = 0};
+}
+
 FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
                      int threads, ShadowFrame& frame) {
   parallel_for(rays.size_px.y, threads, [&](int row) {
@@ -75,7 +105,7 @@ ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const Trac
       if (frame.cell[i] == kNoCell) continue;
       const Ray ray = view.camera.ray({column + 0.5, row + 0.5});
       const glm::vec2 xy_m(glm::dvec2(view.eye_m) +
-                           frame.distance_m[i] * glm::dvec2(ray.direction));
+                           frame.distance_m[i] * glm::dvec2(glm::normalize(ray.direction)));
       const auto ground = terrain.ground_at(glm::dvec2(xy_m) - glm::dvec2(view.eye_m));
       if (!ground) continue;
       rays.x_m[i] = xy_m.x;

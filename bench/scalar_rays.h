@@ -10,6 +10,10 @@ namespace terrview {
 
 FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads, TracedFrame& frame);
 
+// The same for a view of coherent columns.
+FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threads,
+                       TracedFrame& frame);
+
 FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
                      int threads, ShadowFrame& frame);
 

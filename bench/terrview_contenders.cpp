@@ -2,10 +2,12 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "bench/contender.h"
 #include "bench/scalar_rays.h"
 #include "render/parallel.h"
+#include "terrain/column_tracer.h"
 #include "terrain/height_pyramid.h"
 
 namespace terrview {
@@ -31,6 +33,26 @@ Contender scalar(const BenchDem& dem, const Method& method, SurfaceModel surface
                 }};
   };
   return {.name = method.name, .surface = surface, .build_s = {}, .memory_mib = {}, .place = place};
+}
+
+// What the program does: columns where they are vertical planes, else rays one by one.
+Contender program(const BenchDem& dem) {
+  const auto place = [&dem](const BenchView& view) -> ViewTracer {
+    const auto terrain = std::make_shared<const Terrain>(
+        terrain_of(dem, view, SurfaceModel::hyperboloid, Search::pyramid));
+    const std::optional<ColumnView> columns = column_view(view.camera);
+    return {.primary =
+                [terrain, columns, &view](int threads, TracedFrame& frame) {
+                  return columns ? trace_strips(*terrain, *columns, threads, frame)
+                                 : trace_rays(*terrain, view.camera, threads, frame);
+                },
+            .shadow = {}};
+  };
+  return {.name = "terrview",
+          .surface = SurfaceModel::hyperboloid,
+          .build_s = {},
+          .memory_mib = {},
+          .place = place};
 }
 
 struct Built {
@@ -82,6 +104,9 @@ std::vector<Contender> terrview_contenders(const BenchDem& dem) {
     contenders.back().build_s = pyramid.seconds;
     contenders.back().memory_mib = pyramid.mib;
   }
+  contenders.push_back(program(dem));
+  contenders.back().build_s = pyramid.seconds;
+  contenders.back().memory_mib = pyramid.mib;
   return contenders;
 }
 
