@@ -178,6 +178,14 @@ void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& 
       ->type_name("COL,ROW,W,H");
   app.add_option("-b,--band", options.band, "Band of the heights (default 1)");
   app.add_option("--nodata", options.nodata, "The value that means no data");
+  app.add_option_function<double>(
+         "--memory",
+         [&](double mebibytes) {
+           options.memory_bytes = static_cast<std::size_t>(mebibytes * (1 << 20));
+         },
+         "Refuse DEMs that need more than this (default: half of the machine's)")
+      ->check(CLI::Range(1.0, 1e9))
+      ->type_name("MIB");
   app.add_option_function<std::string>(
          "--voids", [&](const std::string& text) { options.fill_voids = text == "fill"; },
          "Fill interior voids up to 32 posts across (default), or leave all open")

@@ -131,7 +131,7 @@ void check_sizes(const std::vector<Mosaic>& mosaics, const std::vector<Part>& pa
     if (needed + block > limit) {
       throw InputError(name + ": " + size + " need " + mebibytes(needed + block) +
                        " of memory, more than the limit of " + mebibytes(limit) +
-                       ": read a part with --window COL,ROW,W,H");
+                       ": read a part with --window COL,ROW,W,H, or raise --memory");
     }
   }
 }

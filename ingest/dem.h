@@ -58,7 +58,7 @@ struct DemOptions {
   int band = 1;
   std::optional<double> nodata;  // a number of the file, before scale and offset
   bool fill_voids = true;        // interior voids up to kFilledVoid_posts across
-  std::size_t memory_bytes = 0;  // refuse to need more than this; 0 = half of the machine's
+  std::size_t memory_bytes = 0;  // --memory: refuse to need more; 0 = half of the machine's
   std::function<void(double share)> progress;  // called now and then, 0 to 1
 
   // Instead of `window`: the part to read of each file, nullopt = none of it. Leave a margin of

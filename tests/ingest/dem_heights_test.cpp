@@ -264,6 +264,48 @@ TEST_F(DemHeights, BlocksOfAnyShapeGiveTheSameHeights) {
   }
 }
 
+TEST_F(DemHeights, EveryFormatGivesTheSameHeightsAndLeavesNothingBeside) {
+  TestRaster raster;
+  raster.nodata = -9999;
+  const Dem expected = read_open(raster);
+  for (const auto& [driver, name] : {std::pair{"COG", "cog.tif"},
+                                     {"VRT", "virtual.vrt"},
+                                     {"EHdr", "ehdr.bil"},
+                                     {"ENVI", "envi.img"},
+                                     {"HFA", "imagine.img"},
+                                     {"AAIGrid", "ascii.asc"},
+                                     {"GSBG", "surfer.grd"},
+                                     {"netCDF", "net.nc"},
+                                     {"XYZ", "points.xyz"}}) {
+    if (GetGDALDriverManager()->GetDriverByName(driver) == nullptr) continue;
+    const std::string path = folder_ / name;
+    if (driver == std::string("VRT")) {
+      build_vrt(path, {folder_ / "a.tif"});
+    } else {
+      raster.write(path, driver);
+    }
+    const auto files = names_in(folder_.path());
+    DemOptions options;
+    options.crs = "EPSG:32632";  // some formats keep none
+    const Dem dem = read_one(path, options);
+    EXPECT_EQ(dem.grid->heights_m, expected.grid->heights_m) << driver;
+    EXPECT_NEAR(dem.placement.origin.x, expected.placement.origin.x, 1e-6) << driver;
+    EXPECT_NEAR(dem.placement.origin.y, expected.placement.origin.y, 1e-6) << driver;
+    EXPECT_EQ(names_in(folder_.path()), files) << driver;
+  }
+}
+
+TEST_F(DemHeights, FilesInArchivesAreRead) {
+  const std::string path = TestRaster{}.write(folder_ / "a.tif");
+  const std::string zip = "/vsizip/" + (folder_ / "a.zip") + "/inside.tif";
+  VSILFILE* archive = VSIFOpenL(zip.c_str(), "wb");
+  ASSERT_NE(archive, nullptr);
+  const std::string bytes = read_text(path);
+  EXPECT_EQ(VSIFWriteL(bytes.data(), 1, bytes.size(), archive), bytes.size());
+  VSIFCloseL(archive);
+  EXPECT_EQ(read_one(zip).grid->at(3, 2), 132);
+}
+
 TEST_F(DemHeights, AnAsciiGridWhoseDecimalsComeLateIsNotRounded) {
   std::string text = "ncols 200\nnrows 700\nxllcorner 400000\nyllcorner 5300000\ncellsize 50\n";
   for (int row = 0; row < 700; ++row) {

@@ -1,5 +1,4 @@
 // One test per promise of ingest/dem.h about several files.
-#include <gdal_utils.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,17 +115,6 @@ TEST_F(DemJoin, TilesStoredUpsideDownJoinTheOthers) {
 bool same_heights(const HeightGrid& a, const HeightGrid& b) {
   return std::equal(a.heights_m.begin(), a.heights_m.end(), b.heights_m.begin(), b.heights_m.end(),
                     [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-}
-
-// The mosaic that gdalbuildvrt makes of `paths`; there the last wins.
-std::string build_vrt(const std::string& path, const std::vector<std::string>& paths) {
-  GDALAllRegister();
-  CPLStringList names;
-  for (const std::string& name : paths) names.AddString(name.c_str());
-  int error = 0;
-  const GDALDatasetUniquePtr vrt(GDALDataset::FromHandle(GDALBuildVRT(
-      path.c_str(), static_cast<int>(paths.size()), nullptr, names.List(), nullptr, &error)));
-  return path;
 }
 
 TEST_F(DemJoin, RealTilesEqualTheMosaicOfGdalbuildvrt) {

@@ -1,5 +1,6 @@
 #include "tests/ingest/test_raster.h"
 
+#include <gdal_utils.h>
 #include <ogr_spatialref.h>
 
 #include <cstdlib>
@@ -50,6 +51,14 @@ void set_band(GDALRasterBand& band, const TestRaster& raster) {
 
 }  // namespace
 
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
 std::string TestRaster::write(const std::string& path, const std::string& driver) const {
   GDALAllRegister();
   GDALDriverManager& drivers = *GetGDALDriverManager();
@@ -65,6 +74,16 @@ std::string TestRaster::write(const std::string& path, const std::string& driver
       drivers.GetDriverByName(driver.c_str())
           ->CreateCopy(path.c_str(), memory.get(), FALSE, options.List(), nullptr, nullptr));
   if (!file) throw std::runtime_error("test raster not written: " + path);
+  return path;
+}
+
+std::string build_vrt(const std::string& path, const std::vector<std::string>& paths) {
+  GDALAllRegister();
+  CPLStringList names;
+  for (const std::string& name : paths) names.AddString(name.c_str());
+  int error = 0;
+  const GDALDatasetUniquePtr vrt(GDALDataset::FromHandle(GDALBuildVRT(
+      path.c_str(), static_cast<int>(paths.size()), nullptr, names.List(), nullptr, &error)));
   return path;
 }
 

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,6 +41,12 @@ struct TestRaster {
   // Writes the file and returns its path. The driver is GDAL's short name.
   std::string write(const std::string& path, const std::string& driver = "GTiff") const;
 };
+
+// Writes the mosaic that gdalbuildvrt makes of `paths` (there the last wins) and returns `path`.
+std::string build_vrt(const std::string& path, const std::vector<std::string>& paths);
+
+// Of the files in a folder.
+[[nodiscard]] std::set<std::string> names_in(const std::filesystem::path& folder);
 
 void write_text(const std::string& path, const std::string& text);
 [[nodiscard]] std::string read_text(const std::string& path);
