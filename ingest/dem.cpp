@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -85,8 +84,7 @@ std::vector<Tile> to_tiles(const std::vector<Part>& parts) {
   std::vector<Tile> tiles;
   for (const Part& part : parts) {
     const auto same = [&](const Part& other) {
-      return same_crs(other.header.crs_wkt, part.header.crs_wkt) ||
-             (other.header.crs_wkt.empty() && part.header.crs_wkt.empty());
+      return same_crs(other.header.crs_wkt, part.header.crs_wkt);
     };
     const auto first = std::find_if(parts.begin(), parts.end(), same);
     tiles.push_back({part.target.window[2], part.target.window[3], part.placement,

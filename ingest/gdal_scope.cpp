@@ -49,11 +49,19 @@ GdalScope::GdalScope() {
   CPLPushErrorHandlerEx([](CPLErr severity, CPLErrorNum number,
                            const char* text) { collect(severity, number, text); },
                         this);
-  for (const auto& [key, value] : kSettings) CPLSetThreadLocalConfigOption(key, value);
+  for (const auto& [key, value] : kSettings) {
+    const char* before = CPLGetThreadLocalConfigOption(key, nullptr);
+    settings_before_.push_back(before != nullptr ? std::optional<std::string>(before)
+                                                 : std::nullopt);
+    CPLSetThreadLocalConfigOption(key, value);
+  }
 }
 
 GdalScope::~GdalScope() {
-  for (const auto& [key, value] : kSettings) CPLSetThreadLocalConfigOption(key, nullptr);
+  for (std::size_t i = 0; i < kSettings.size(); ++i) {
+    const auto& before = settings_before_[i];
+    CPLSetThreadLocalConfigOption(kSettings[i][0], before ? before->c_str() : nullptr);
+  }
   CPLPopErrorHandler();
 }
 

@@ -2,12 +2,13 @@
 // in files never run.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace terrview {
 
-// While one lives, what GDAL reports in this thread is collected here.
+// While one lives, what GDAL reports in this thread is collected here. They nest.
 class GdalScope {
  public:
   GdalScope();
@@ -26,6 +27,7 @@ class GdalScope {
 
   std::vector<std::string> failures_;
   std::vector<std::string> warnings_;
+  std::vector<std::optional<std::string>> settings_before_;
 };
 
 }  // namespace terrview

@@ -153,6 +153,22 @@ TEST_F(DemGuards, TheCallerMayStopByThrowingFromProgress) {
   EXPECT_EQ(refusal({path}), "");
 }
 
+TEST(GdalScopeTest, ScopesNest) {
+  const std::string before = CPLGetConfigOption("GDAL_VRT_ENABLE_PYTHON", "unset");
+  {
+    GdalScope outer;
+    {
+      GdalScope inner;
+      CPLError(CE_Failure, CPLE_AppDefined, "inside");
+      EXPECT_EQ(inner.take_failure(), "inside");
+    }
+    EXPECT_STREQ(CPLGetConfigOption("GDAL_VRT_ENABLE_PYTHON", "unset"), "NO");
+    CPLError(CE_Failure, CPLE_AppDefined, "outside");
+    EXPECT_EQ(outer.take_failure(), "outside");
+  }
+  EXPECT_EQ(CPLGetConfigOption("GDAL_VRT_ENABLE_PYTHON", "unset"), before);
+}
+
 TEST(GdalScopeTest, FailuresAndWarningsBecomeSingleLines) {
   GdalScope scope;
   CPLError(CE_Warning, CPLE_AppDefined, "first\n  second.\n");
