@@ -26,7 +26,9 @@ std::string why_unopened(const std::string& path, const std::string& reason) {
     return path + ": no such file: check the path";
   }
   if (reason.empty() || reason.find("not recognized as") != std::string::npos) {
-    return path + ": not a raster that GDAL can read: convert it, or check the name's ending";
+    return path +
+           ": not a raster that GDAL can read: check its header and its name's ending, or convert "
+           "it";
   }
   return path + ": cannot be opened (" + reason + "): fetch it again or convert it";
 }
