@@ -82,6 +82,40 @@ TEST_P(TrueDirections, OfAThousandPosts) {
   EXPECT_LT(worst_rad, view.frame.direction_error_rad());
 }
 
+// The bent tracks take part here: a hit knows the posts around it.
+TEST_P(TrueDirections, OfWhatRaysHit) {
+  const View view(GetParam());
+  const cases::Oracle oracle(GetParam(), view.eye_point);
+  const VerticalFrame& vertical = view.frame.terrain()->frame();
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> share(-1, 1);
+  double worst_by_posts_rad = 0;
+  double worst_by_place_rad = 0;
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double azimuth = std::numbers::pi * share(random);
+    const glm::dvec3 direction = glm::normalize(
+        glm::dvec3(std::sin(azimuth), std::cos(azimuth), 0.06 * share(random) - 0.05));
+    const auto hit = view.frame.terrain()->first_hit({.direction = direction});
+    if (!hit || glm::length(hit->position_m) > 100e3) continue;
+    ++hits;
+    const glm::dvec2 ground_m(hit->position_m);
+    const double height_m = vertical.at(ground_m).scene_height_m(hit->position_m.z);
+    const auto angle_to = [&](const GeoPoint& place) {
+      return true_earth::angle_rad(
+          direction,
+          true_earth::enu(view.eye, {place.latitude_deg, place.longitude_deg, height_m}));
+    };
+    worst_by_posts_rad = std::max(worst_by_posts_rad, angle_to(oracle.geographic(hit->uv)));
+    worst_by_place_rad = std::max(worst_by_place_rad, angle_to(view.frame.from_ground(ground_m)));
+  }
+  RecordProperty("worst_microradians_by_posts", std::to_string(worst_by_posts_rad * 1e6));
+  RecordProperty("worst_microradians_by_place", std::to_string(worst_by_place_rad * 1e6));
+  EXPECT_GT(hits, 500);
+  EXPECT_LT(worst_by_posts_rad, kTenthOfPixel_rad);
+  EXPECT_LT(worst_by_place_rad, kTenthOfPixel_rad / 10);
+}
+
 TEST_P(TrueDirections, OfSummitsHighAboveTheEye) {
   struct Summit {
     double distance_m;
