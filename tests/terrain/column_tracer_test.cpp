@@ -100,6 +100,23 @@ TEST(TraceColumns, HasThemOnBentTracks) {
   });
 }
 
+// Ties: from a post through post after post, where columns and rows are crossed at once.
+TEST(TraceColumns, HasThemAlongDiagonalsFromAPost) {
+  const auto rough = [](int c, int r) { return 300 * std::sin(1.7 * c + 0.3 * r * c) + 40 * r; };
+  for (const double above_m : {0.0, 500.0}) {
+    const Place place{
+        .eye_uv = {9, 11}, .spacing_m = {60, 90}, .eye_height_m = float(rough(9, 11)) + above_m};
+    const Terrain terrain =
+        make_terrain(make_grid(40, 40, rough), place, SurfaceModel::hyperboloid);
+    ColumnView view;
+    for (int i = -5; i <= 5; ++i)
+      for (int j = -5; j <= 5; ++j)
+        if (i != 0 || j != 0) view.across.emplace_back(60 * i, 90 * j);
+    for (int i = 0; i < 100; ++i) view.rise.push_back(100 - 3 * i);
+    expect_hits_of_single_rays(terrain, view, 0, static_cast<int>(view.across.size()));
+  }
+}
+
 TEST(TraceColumns, HasThemUnderEveryInstructionSet) {
   std::int64_t targets = hwy::SupportedTargets();
   for (; targets != 0; targets &= targets - 1) {

@@ -99,6 +99,28 @@ TEST_P(PyramidSearch, HasThemOnBentTracks) {
                    [](Random& random) { return random_bent_terrain(random, GetParam()); });
 }
 
+// From posts towards posts of a plain with few hills, so that blocks are left by their corners.
+TEST_P(PyramidSearch, HasThemAlongDiagonalsFromAPost) {
+  const auto hills = [](int c, int r) { return (7 * c + 5 * r) % 13 == 0 ? 90 + c : 0.1 * r; };
+  const HeightGrid grid = make_grid(40, 40, hills);
+  int hits = 0;
+  for (int eye = 0; eye < 64; ++eye) {
+    const Place place{
+        .eye_uv = {16 + eye % 8, 16 + eye / 8}, .spacing_m = {60, 90}, .eye_height_m = 150};
+    const Terrain terrain = make_terrain(grid, place, GetParam());
+    const Terrain plain(terrain.layers(), terrain.frame(), GetParam(), Search::plain);
+    for (int i = -8; i <= 8; ++i) {
+      for (int j = -8; j <= 8; ++j) {
+        const Ray ray{{0, 0, 0}, {60 * i, 90 * j, -30}};
+        EXPECT_TRUE(same_bits(terrain.first_hit(ray), plain.first_hit(ray)))
+            << oracle::to_string(ray);
+        hits += terrain.first_hit(ray) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(hits, 5000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, PyramidSearch, testing::ValuesIn(kSurfaceModels), model_name);
 
 }  // namespace

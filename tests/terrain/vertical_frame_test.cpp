@@ -52,6 +52,15 @@ RC_GTEST_PROP(VerticalFrame, ItsColumnsAreTheFormula, ()) {
   RC_ASSERT(std::fabs(p.frame.at(p.ground_m).z_m(p.height_m) - expected_m) < 1e-14 * scale_m);
 }
 
+// Where the series gives way to the functions, seen from so high that every term of it counts.
+TEST(VerticalFrame, ItsSeriesMeetsTheFunctions) {
+  const VerticalFrame frame = earth_frame(400'000);
+  for (const double s_m : {600e3, 630e3, 635.9e3, 636.1e3, 640e3}) {
+    const Real expected_m = oracle::z_m(frame, 0, s_m, 0);
+    EXPECT_NEAR(frame.at({0, s_m}).z_m(0), static_cast<double>(expected_m), 1e-9);
+  }
+}
+
 RC_GTEST_PROP(VerticalFrame, ItsSlopeIsTheDerivative, ()) {
   const Point p = any_point(/*reach_km=*/500);
   const Real h = p.height_m;
