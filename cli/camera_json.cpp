@@ -105,6 +105,8 @@ Json read_json(const std::string& path) {
   } catch (const Json::parse_error& error) {
     throw InputError("'" + path + "': not JSON (byte " + std::to_string(error.byte) +
                      "): give a file that --camera wrote");
+  } catch (const Json::out_of_range&) {
+    throw InputError("'" + path + "': a number is too large: give a file that --camera wrote");
   }
   if (!json.is_object())
     throw InputError("'" + path + "': holds no camera: give a file that --camera wrote");
