@@ -22,15 +22,15 @@ Contender contender(const std::string& name, const std::shared_ptr<const EmbreeG
     return {.primary =
                 [ground, tracer, &view](int threads, TracedFrame& frame) {
                   const PrimaryJob job{*ground, view.eye_m, PixelRays(view.camera)};
-                  parallel_rows(bands(frame.size_px.y, tracer.rows), threads,
-                                [&](int band) { tracer.primary(job, band * tracer.rows, frame); });
+                  parallel_for(bands(frame.size_px.y, tracer.rows), threads,
+                               [&](int band) { tracer.primary(job, band * tracer.rows, frame); });
                   return FrameWork{};
                 },
             .shadow =
                 [ground, tracer, &view](const ShadowRays& rays, int threads, ShadowFrame& frame) {
                   const ShadowJob job{*ground, view.to_sun, rays};
-                  parallel_rows(bands(rays.size_px.y, tracer.rows), threads,
-                                [&](int band) { tracer.shadow(job, band * tracer.rows, frame); });
+                  parallel_for(bands(rays.size_px.y, tracer.rows), threads,
+                               [&](int band) { tracer.shadow(job, band * tracer.rows, frame); });
                   return FrameWork{};
                 }};
   };

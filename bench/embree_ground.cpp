@@ -33,7 +33,7 @@ void fill_vertices(const BenchDem& dem, RTCGeometry geometry) {
   auto* vertices = new_buffer<Vertex>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
                                       grid.heights_m.size());
   if (!vertices) return;
-  parallel_rows(grid.rows, 0, [&](int line) {
+  parallel_for(grid.rows, 0, [&](int line) {
     const int row = grid.rows - 1 - line;
     Vertex* vertex =
         vertices + static_cast<std::size_t>(line) * static_cast<std::size_t>(grid.columns);
@@ -51,7 +51,7 @@ void fill_triangles(const HeightGrid& grid, RTCGeometry geometry) {
   auto* triangles =
       new_buffer<Triangle>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, per_row * (rows - 1));
   if (!triangles) return;
-  parallel_rows(grid.rows - 1, 0, [&](int row) {
+  parallel_for(grid.rows - 1, 0, [&](int row) {
     Triangle* triangle = triangles + static_cast<std::size_t>(row) * per_row;
     const std::uint32_t south = (rows - 2 - static_cast<std::uint32_t>(row)) * columns;
     for (std::uint32_t sw = south; sw < south + columns - 1; ++sw) {

@@ -92,7 +92,7 @@ template <class Height>
 HeightGrid fill_grid(int side_posts, Height height) {
   const auto side = static_cast<std::size_t>(side_posts);
   HeightGrid grid{side_posts, side_posts, std::vector<float>(side * side)};
-  parallel_rows(side_posts, 0, [&](int row) {
+  parallel_for(side_posts, 0, [&](int row) {
     float* heights_m = grid.heights_m.data() + static_cast<std::size_t>(row) * side;
     for (int column = 0; column < side_posts; ++column) heights_m[column] = height(column, row);
   });

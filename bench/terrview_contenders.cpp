@@ -51,7 +51,7 @@ Built build_pyramid(const HeightGrid& grid) {
 
 // No frame can be traced faster than it is written.
 FrameWork write_frame(int threads, TracedFrame& frame) {
-  parallel_rows(frame.size_px.y, threads, [&](int row) {
+  parallel_for(frame.size_px.y, threads, [&](int row) {
     const std::size_t end = frame.index(0, row + 1);
     for (std::size_t i = frame.index(0, row); i < end; ++i) {
       frame.distance_m[i] = row;
