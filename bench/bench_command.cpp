@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "bench/bench_dem.h"
@@ -124,7 +125,10 @@ std::optional<OutputFile> claim(const std::string& path) {
 
 void finish(std::optional<OutputFile>& file, const std::string& text) {
   if (!file) return;
-  write_text(*file, text);
+  file->fill([&](const std::string& path) {
+    std::ofstream stream(path);
+    if (!(stream << text).flush()) throw std::runtime_error("cannot be written: is the disk full?");
+  });
   file->commit();
 }
 

@@ -15,17 +15,6 @@ namespace {
 
 constexpr double kLift_m = 0.001;
 
-void store(const std::optional<Hit>& hit, const Terrain& terrain, TracedFrame& frame,
-           std::size_t pixel) {
-  glm::dvec3 normal(0);
-  if (hit) normal = terrain.facet_normal(*hit);
-  const int cells_in_row = terrain.layers()[0].grid->columns - 1;
-  frame.distance_m[pixel] = hit ? hit->distance_m : std::numeric_limits<double>::infinity();
-  frame.cell[pixel] = hit ? hit->cell.y * cells_in_row + hit->cell.x : kNoCell;
-  frame.normal_east[pixel] = static_cast<float>(normal.x);
-  frame.normal_north[pixel] = static_cast<float>(normal.y);
-}
-
 // GCC 12's basic-block vectorizer drops the rounding where two such conversions stand side by side.
 [[gnu::noinline]] double round_to_float(double value) { return static_cast<float>(value); }
 
@@ -37,6 +26,17 @@ float round_up(double value) {
 }
 
 }  // namespace
+
+void store(const std::optional<Hit>& hit, const Terrain& terrain, TracedFrame& frame,
+           std::size_t pixel) {
+  glm::dvec3 normal(0);
+  if (hit) normal = terrain.facet_normal(*hit);
+  const int cells_in_row = terrain.layers()[0].grid->columns - 1;
+  frame.distance_m[pixel] = hit ? hit->distance_m : std::numeric_limits<double>::infinity();
+  frame.cell[pixel] = hit ? hit->cell.y * cells_in_row + hit->cell.x : kNoCell;
+  frame.normal_east[pixel] = static_cast<float>(normal.x);
+  frame.normal_north[pixel] = static_cast<float>(normal.y);
+}
 
 FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
                      TracedFrame& frame) {

@@ -1,12 +1,19 @@
 // Every ray on its own, by the scalar walk in double precision: with Search::plain, the reference.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "bench/bench_view.h"
 #include "bench/contender.h"
 #include "bench/traced_frame.h"
 #include "terrain/terrain.h"
 
 namespace terrview {
+
+// Writes pixel `pixel` of `frame`.
+void store(const std::optional<Hit>& hit, const Terrain& terrain, TracedFrame& frame,
+           std::size_t pixel);
 
 FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads, TracedFrame& frame);
 

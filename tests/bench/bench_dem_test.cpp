@@ -131,7 +131,7 @@ TEST(ShadowRays, LeaveFromAMillimetreAboveTheGroundThatIsSeen) {
     const auto ground = terrain.ground_at(xy_m - glm::dvec2(view.eye_m));
     ASSERT_TRUE(ground);
     EXPECT_GE(rays.z_m[i] - ground->scene_height_m, 0.001);
-    EXPECT_LE(rays.z_m[i], ground->scene_height_m + 0.0015);
+    EXPECT_LE(rays.z_m[i] - ground->scene_height_m, 0.0015);
   }
   EXPECT_GT(count, 0);
   EXPECT_EQ(rays.count, count);
