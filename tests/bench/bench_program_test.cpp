@@ -100,6 +100,18 @@ TEST_F(BenchProgram, ThePlainTracerIsTheReference) {
   EXPECT_GE(seen, 6 * 2 * 3 * 2);  // views, scenes, surfaces, kinds of rays
 }
 
+TEST_F(BenchProgram, EveryTracerOfTerrviewSeesWhatThePlainOneSees) {
+  int seen = 0;
+  for (const Json& result : run_.at("results")) {
+    if (!result.at("contender").get<std::string>().starts_with("terrview")) continue;
+    SCOPED_TRACE(result.dump());
+    ++seen;
+    EXPECT_EQ(result.at("hit_flips"), 0);
+    if (result.at("rays") == "primary") EXPECT_EQ(result.at("max_rel_error"), 0);
+  }
+  EXPECT_GT(seen, 0);
+}
+
 // Embree shares no code with terrview: what both say of the triangles is true of them.
 TEST_F(BenchProgram, EmbreeSeesTheSameTriangles) {
   if (embree_version().empty()) GTEST_SKIP() << "built without Embree";
