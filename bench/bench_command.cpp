@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "bench/bench_dem.h"
@@ -16,7 +17,6 @@
 #include "bench/measure.h"
 #include "bench/report.h"
 #include "cli/output_file.h"
-#include "render/write_file.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -125,7 +125,10 @@ std::optional<OutputFile> claim(const std::string& path) {
 
 void finish(std::optional<OutputFile>& file, const std::string& text) {
   if (!file) return;
-  file->fill([&](const std::string& path) { write_file(path, text); });
+  file->fill([&](const std::string& path) {
+    std::ofstream stream(path);
+    if (!(stream << text).flush()) throw std::runtime_error("cannot be written: is the disk full?");
+  });
   file->commit();
 }
 

@@ -1,9 +1,8 @@
 #include "bench/measure.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <ctime>
 #include <functional>
 #include <iterator>
 #include <map>

@@ -1,22 +1,31 @@
 #include "bench/scalar_rays.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "render/parallel.h"
-#include "terrain/column_tracer.h"
 
 namespace terrview {
 namespace {
 
 constexpr double kLift_m = 0.001;
+
+// GCC 12's basic-block vectorizer drops the rounding where two such conversions stand side by side.
+[[gnu::noinline]] double round_to_float(double value) { return static_cast<float>(value); }
+
+// The least float that is no less than `value`.
+float round_up(double value) {
+  const auto nearest = static_cast<float>(value);
+  return nearest >= value ? nearest
+                          : std::nextafter(nearest, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
 
 void store(const std::optional<Hit>& hit, const Terrain& terrain, TracedFrame& frame,
            std::size_t pixel) {
@@ -28,15 +37,6 @@ void store(const std::optional<Hit>& hit, const Terrain& terrain, TracedFrame& f
   frame.normal_east[pixel] = static_cast<float>(normal.x);
   frame.normal_north[pixel] = static_cast<float>(normal.y);
 }
-
-// The least float that is no less than `value`.
-float round_up(double value) {
-  const auto nearest = static_cast<float>(value);
-  return nearest >= value ? nearest
-                          : std::nextafter(nearest, std::numeric_limits<float>::infinity());
-}
-
-}  // namespace
 
 FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
                      TracedFrame& frame) {
@@ -52,31 +52,6 @@ FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
     nodes += counts.nodes;
   });
   return {.tests = tests, .nodes = nodes};
-}
-
-FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threads,
-                       TracedFrame& frame) {
-  constexpr int kStripColumns = 16;
-  const int strips = (frame.size_px.x + kStripColumns - 1) / kStripColumns;
-  const auto rows = static_cast<std::size_t>(frame.size_px.y);
-  std::atomic<std::int64_t> tests = 0;
-  parallel_for(strips, threads, [&](int strip) {
-    const int first = strip * kStripColumns;
-    const int count = std::min(kStripColumns, frame.size_px.x - first);
-    std::vector<ColumnHit> hits(static_cast<std::size_t>(count) * rows);
-    TraceCounts counts;
-    trace_columns(terrain, view, first, count, hits, counts);
-    auto hit = hits.begin();
-    for (int column = first; column < first + count; ++column) {
-      for (int row = 0; row < frame.size_px.y; ++row, ++hit) {
-        std::optional<Hit> met;
-        if (hit->g_m >= 0) met = column_hit(view, column, row, *hit);
-        store(met, terrain, frame, frame.index(column, row));
-      }
-    }
-    tests += counts.tests;
-  });
-  return {.tests = tests, .nodes = 0};
 }
 
 FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
@@ -104,12 +79,12 @@ ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const Trac
       rays.x_m[i] = rays.y_m[i] = rays.z_m[i] = std::numeric_limits<float>::quiet_NaN();
       if (frame.cell[i] == kNoCell) continue;
       const Ray ray = view.camera.ray({column + 0.5, row + 0.5});
-      const glm::vec2 xy_m(glm::dvec2(view.eye_m) +
-                           frame.distance_m[i] * glm::dvec2(glm::normalize(ray.direction)));
-      const auto ground = terrain.ground_at(glm::dvec2(xy_m) - glm::dvec2(view.eye_m));
-      if (!ground) continue;
-      rays.x_m[i] = xy_m.x;
-      rays.y_m[i] = xy_m.y;
+      const glm::dvec3 hit_m = view.eye_m + frame.distance_m[i] * glm::normalize(ray.direction);
+      const glm::dvec2 xy_m(round_to_float(hit_m.x), round_to_float(hit_m.y));
+      const auto ground = terrain.ground_at(xy_m - glm::dvec2(view.eye_m));
+      if (!ground) continue;  // rounded away over an edge of the ground
+      rays.x_m[i] = static_cast<float>(xy_m.x);
+      rays.y_m[i] = static_cast<float>(xy_m.y);
       rays.z_m[i] = round_up(ground->scene_height_m + kLift_m);
       ++count;
     }

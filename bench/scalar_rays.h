@@ -1,6 +1,9 @@
 // Every ray on its own, by the scalar walk in double precision: with Search::plain, the reference.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "bench/bench_view.h"
 #include "bench/contender.h"
 #include "bench/traced_frame.h"
@@ -8,11 +11,11 @@
 
 namespace terrview {
 
-FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads, TracedFrame& frame);
+// Writes pixel `pixel` of `frame`.
+void store(const std::optional<Hit>& hit, const Terrain& terrain, TracedFrame& frame,
+           std::size_t pixel);
 
-// The same for a view of coherent columns.
-FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threads,
-                       TracedFrame& frame);
+FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads, TracedFrame& frame);
 
 FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
                      int threads, ShadowFrame& frame);

@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "bench/contender.h"
 #include "bench/scalar_rays.h"
@@ -35,24 +38,46 @@ Contender scalar(const BenchDem& dem, const Method& method, SurfaceModel surface
   return {.name = method.name, .surface = surface, .build_s = {}, .memory_mib = {}, .place = place};
 }
 
-// What the program does: columns where they are vertical planes, else rays one by one.
-Contender program(const BenchDem& dem) {
-  const auto place = [&dem](const BenchView& view) -> ViewTracer {
+// Columns of the image that are vertical planes, in strips; as the renderer takes them.
+FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threads,
+                       TracedFrame& frame) {
+  constexpr int kStrip_px = 16;
+  std::atomic<std::int64_t> tests = 0;
+  std::atomic<std::int64_t> nodes = 0;
+  const glm::ivec2 size_px = frame.size_px;
+  parallel_for((size_px.x + kStrip_px - 1) / kStrip_px, threads, [&](int strip) {
+    const int first = strip * kStrip_px;
+    const int count = std::min(kStrip_px, size_px.x - first);
+    std::vector<ColumnHit> hits(static_cast<std::size_t>(count) *
+                                static_cast<std::size_t>(size_px.y));
+    TraceCounts counts;
+    trace_columns(terrain, view, first, count, hits, counts);
+    auto hit = hits.begin();
+    for (int column = first; column < first + count; ++column)
+      for (int row = 0; row < size_px.y; ++row, ++hit)
+        store(hit->g_m < 0 ? std::nullopt : std::optional(column_hit(view, column, row, *hit)),
+              terrain, frame, frame.index(column, row));
+    tests += counts.tests;
+    nodes += counts.nodes;
+  });
+  return {.tests = tests, .nodes = nodes};
+}
+
+// The way the program goes by default.
+Contender default_way(const BenchDem& dem) {
+  Contender contender = scalar(dem, {"terrview", Search::pyramid}, SurfaceModel::hyperboloid);
+  contender.place = [&dem, scalar_place = contender.place](const BenchView& view) {
+    ViewTracer tracer = scalar_place(view);
     const auto terrain = std::make_shared<const Terrain>(
         terrain_of(dem, view, SurfaceModel::hyperboloid, Search::pyramid));
-    const std::optional<ColumnView> columns = column_view(view.camera);
-    return {.primary =
-                [terrain, columns, &view](int threads, TracedFrame& frame) {
-                  return columns ? trace_strips(*terrain, *columns, threads, frame)
-                                 : trace_rays(*terrain, view.camera, threads, frame);
-                },
-            .shadow = {}};
+    const auto columns = column_view(view.camera);
+    if (columns && has_columns(*terrain))
+      tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
+        return trace_strips(*terrain, columns, threads, frame);
+      };
+    return tracer;
   };
-  return {.name = "terrview",
-          .surface = SurfaceModel::hyperboloid,
-          .build_s = {},
-          .memory_mib = {},
-          .place = place};
+  return contender;
 }
 
 struct Built {
@@ -97,16 +122,17 @@ Contender frame_writer() {
 std::vector<Contender> terrview_contenders(const BenchDem& dem) {
   const Built pyramid = build_pyramid(*dem.grid);
   std::vector<Contender> contenders{frame_writer()};
+  const auto add_built = [&](Contender contender) {
+    contender.build_s = pyramid.seconds;
+    contender.memory_mib = pyramid.mib;
+    contenders.push_back(std::move(contender));
+  };
+  add_built(default_way(dem));
   for (const SurfaceModel surface :
        {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
     contenders.push_back(scalar(dem, {"terrview-plain", Search::plain}, surface));
-    contenders.push_back(scalar(dem, {"terrview-pyramid", Search::pyramid}, surface));
-    contenders.back().build_s = pyramid.seconds;
-    contenders.back().memory_mib = pyramid.mib;
+    add_built(scalar(dem, {"terrview-pyramid", Search::pyramid}, surface));
   }
-  contenders.push_back(program(dem));
-  contenders.back().build_s = pyramid.seconds;
-  contenders.back().memory_mib = pyramid.mib;
   return contenders;
 }
 

@@ -1,0 +1,175 @@
+// The whole of terrview-bench, in small: what docs/cli.md says of its files.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/bench_command.h"
+#include "bench/bench_options.h"
+#include "bench/contender.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+// One run for all the tests: sizes that no tile divides, so that the edges of packets are tried.
+class BenchProgram : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fs::temp_directory_path() / ("terrview_bench_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    testing::internal::CaptureStdout();
+    const int code =
+        run_bench({"--quick", "--posts", "65", "--size", "37x23", "--repetitions", "1", "--scenes",
+                   "synthetic,city", "--json", (folder_ / "r.json").string(), "--svg",
+                   (folder_ / "r.svg").string()});
+    table_ = testing::internal::GetCapturedStdout();
+    ASSERT_EQ(code, 0);
+    run_ = Json::parse(text_of(folder_ / "r.json"));
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  static std::set<std::string> values_of(const char* field) {
+    std::set<std::string> values;
+    for (const Json& result : run_.at("results"))
+      if (!result.at(field).is_null()) values.insert(result.at(field).get<std::string>());
+    return values;
+  }
+
+  inline static fs::path folder_;
+  inline static std::string table_;
+  inline static Json run_;
+};
+
+TEST_F(BenchProgram, SaysWhatItRanOnAndHow) {
+  EXPECT_GE(run_.at("machine").at("threads").get<int>(), 1);
+  EXPECT_TRUE(run_.at("machine").contains("cpu"));
+  EXPECT_TRUE(run_.at("command").get<std::string>().starts_with("terrview-bench --quick"));
+  EXPECT_EQ(run_.at("date").get<std::string>().size(), std::string("2026-01-01T00:00:00Z").size());
+}
+
+TEST_F(BenchProgram, EveryResultHasEveryField) {
+  ASSERT_FALSE(run_.at("results").empty());
+  for (const Json& result : run_.at("results")) {
+    SCOPED_TRACE(result.dump());
+    for (const char* field : {"dem", "view", "rays", "contender"})
+      EXPECT_TRUE(result.at(field).is_string()) << field;
+    EXPECT_TRUE(result.at("threads").is_number_integer());
+    EXPECT_GT(result.at("mrays_per_s").get<double>(), 0);
+    for (const char* field :
+         {"surface", "tests_per_ray", "nodes_per_ray", "build_s", "memory_mib", "cells_differ",
+          "hit_flips", "p50_rel_error", "p99_rel_error", "max_rel_error"})
+      EXPECT_TRUE(result.contains(field)) << field;
+  }
+}
+
+TEST_F(BenchProgram, MeasuresEveryViewOfEveryScene) {
+  EXPECT_EQ(values_of("dem"), (std::set<std::string>{"synthetic-65", "city-32"}));
+  EXPECT_EQ(values_of("view"),
+            (std::set<std::string>{"horizon", "gridline", "valley", "oblique", "down", "up"}));
+  EXPECT_EQ(values_of("rays"), (std::set<std::string>{"primary", "shadow"}));
+}
+
+TEST_F(BenchProgram, ThePlainTracerIsTheReference) {
+  int seen = 0;
+  for (const Json& result : run_.at("results")) {
+    if (result.at("contender") != "terrview-plain") continue;
+    SCOPED_TRACE(result.dump());
+    ++seen;
+    EXPECT_EQ(result.at("hit_flips"), 0);
+    if (result.at("rays") == "shadow") continue;
+    EXPECT_EQ(result.at("cells_differ"), 0);
+    EXPECT_EQ(result.at("max_rel_error"), 0);
+    EXPECT_GT(result.at("tests_per_ray"), 0);
+  }
+  EXPECT_GE(seen, 6 * 2 * 3 * 2);  // views, scenes, surfaces, kinds of rays
+}
+
+TEST_F(BenchProgram, EveryTracerOfTerrviewSeesWhatThePlainOneSees) {
+  int seen = 0;
+  for (const Json& result : run_.at("results")) {
+    if (!result.at("contender").get<std::string>().starts_with("terrview")) continue;
+    SCOPED_TRACE(result.dump());
+    ++seen;
+    EXPECT_EQ(result.at("hit_flips"), 0);
+    if (result.at("rays") == "primary") EXPECT_EQ(result.at("max_rel_error"), 0);
+  }
+  EXPECT_GT(seen, 0);
+}
+
+// Embree shares no code with terrview: what both say of the triangles is true of them.
+TEST_F(BenchProgram, EmbreeSeesTheSameTriangles) {
+  if (embree_version().empty()) GTEST_SKIP() << "built without Embree";
+  int seen = 0;
+  for (const Json& result : run_.at("results")) {
+    if (!result.at("contender").get<std::string>().starts_with("embree")) continue;
+    SCOPED_TRACE(result.dump());
+    ++seen;
+    EXPECT_EQ(result.at("surface"), "triangles");
+    EXPECT_GT(result.at("memory_mib"), 0);
+    EXPECT_LE(result.at("hit_flips"), 8);  // of 851: walls seen edge on
+    // The middle column of pixels looks along a grid line, where rays slip between triangles.
+    if (result.at("rays") == "shadow" || result.at("view") == "gridline") continue;
+    EXPECT_LE(result.at("cells_differ"), 0.02);
+    EXPECT_LE(result.at("p99_rel_error"), 1e-4);
+  }
+  EXPECT_GT(seen, 0);
+}
+
+TEST_F(BenchProgram, PrintsATableAndDrawsAFigure) {
+  EXPECT_NE(table_.find("synthetic-65, valley, primary rays, 1 thread"), std::string::npos);
+  EXPECT_NE(table_.find("terrview-plain"), std::string::npos);
+  const std::string svg = text_of(folder_ / "r.svg");
+  EXPECT_NE(svg.find("terrview-plain (hyperboloid)"), std::string::npos);
+  EXPECT_NE(svg.find("city-32, up"), std::string::npos);
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+}
+
+TEST_F(BenchProgram, ShowsResultsAgainFromTheirFile) {
+  testing::internal::CaptureStdout();
+  const int code =
+      run_bench({"--from", (folder_ / "r.json").string(), "--json",
+                 (folder_ / "again.json").string(), "--svg", (folder_ / "again.svg").string()});
+  const std::string table = testing::internal::GetCapturedStdout();
+  ASSERT_EQ(code, 0);
+  EXPECT_NE(table_.find(table), std::string::npos);
+  EXPECT_EQ(text_of(folder_ / "again.json"), text_of(folder_ / "r.json"));
+  EXPECT_EQ(text_of(folder_ / "again.svg"), text_of(folder_ / "r.svg"));
+}
+
+TEST(BenchOptions, QuickIsSmallAndMayBeChanged) {
+  const auto options = parse_bench_options({"--quick", "--size", "100x50"});
+  ASSERT_TRUE(options);
+  EXPECT_EQ(options->mountain_posts, 1024);
+  EXPECT_EQ(options->size_px, glm::ivec2(100, 50));
+  EXPECT_EQ(options->threads[0], 1);
+}
+
+TEST(BenchOptions, AnUnknownNameIsRefused) {
+  EXPECT_THROW((void)parse_bench_options({"--views", "sideways"}), InputError);
+  EXPECT_THROW((void)parse_bench_options({"--scenes", "moon"}), InputError);
+  EXPECT_THROW((void)parse_bench_options({"--posts", "-3"}), InputError);
+}
+
+TEST(BenchOptions, AFileThatIsNotResultsIsRefused) {
+  EXPECT_THROW((void)run_bench({"--from", TERRVIEW_SOURCE_DIR "/CMakePresets.json"}), InputError);
+  EXPECT_THROW((void)run_bench({"--from", "/no/such/file.json"}), InputError);
+}
+
+}  // namespace
+}  // namespace terrview
