@@ -215,7 +215,9 @@ Terrain random_bent_terrain(Random& random, SurfaceModel model) {
   const glm::dvec2 eye_uv(random.uniform(0, grid->columns - 1), random.uniform(0, grid->rows - 1));
   const double spacing_m = random.log_uniform(1, 100);
   const double reach_m = spacing_m * (grid->columns + grid->rows);
-  const double twist_per_m2 = random.sign() * random.uniform(0.2, 8) / (reach_m * reach_m);
+  // Never more than a few tenths of a radian within a cell.
+  const double turn = random.sign() * random.uniform(0.01, 0.1) * (grid->columns + grid->rows);
+  const double twist_per_m2 = turn / (reach_m * reach_m);
   const auto map = std::make_shared<const BentGroundMap>(eye_uv, spacing_m, twist_per_m2, reach_m);
   return {{{grid, map}}, random_frame(random, *grid, reach_m, Position::general), model};
 }
