@@ -17,6 +17,7 @@
 #include "cli/view_options.h"
 #include "cli/view_outputs.h"
 #include "cli/view_setup.h"
+#include "cli/view_window.h"
 #include "render/image_file.h"
 #include "render/render.h"
 #include "render/write_file.h"
@@ -168,6 +169,7 @@ int run_view(const std::vector<std::string>& args) {
       check_interrupt();
       bar.report(share);
     };
+    limit_reading(options);
     dems = read_dems(options.dems, options.dem);
   }
   seconds.read = stopwatch.lap();
