@@ -97,7 +97,7 @@ void check_sizes(const std::vector<Mosaic>& mosaics, const std::vector<DemPart>&
                  const DemOptions& options) {
   const double limit =
       options.memory_bytes > 0 ? static_cast<double>(options.memory_bytes) : half_of_memory_bytes();
-  constexpr double kPost_bytes = sizeof(float) + 0.25;  // and two bits to find voids
+  constexpr double kPost_bytes = sizeof(float) + 0.375;  // and three bits to find voids
   double needed = 0;
   for (const Mosaic& mosaic : mosaics) {
     const std::string& name = parts[static_cast<std::size_t>(mosaic.parts[0].tile)].header.name;

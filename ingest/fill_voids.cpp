@@ -125,13 +125,19 @@ std::unique_ptr<GDALDataset> over_memory(std::vector<Value>& values, glm::ivec2 
   return dataset;
 }
 
-// The void and as much around it as GDAL looks at.
+// Posts `first` to `last`, both included.
+struct Box {
+  glm::ivec2 first;
+  glm::ivec2 last;
+};
+
+// Posts to fill and as much around them as GDAL looks at.
 class Patch {
  public:
-  Patch(const HeightGrid& grid, const VoidMask& mask, const Void& hole)
-      : first_(glm::max(hole.first - kFillReach_posts, glm::ivec2(0))) {
+  Patch(const HeightGrid& grid, const VoidMask& mask, const Box& box)
+      : first_(glm::max(box.first - kFillReach_posts, glm::ivec2(0))) {
     const glm::ivec2 last(grid.columns - 1, grid.rows - 1);
-    size_ = glm::min(hole.last + kFillReach_posts, last) - first_ + 1;
+    size_ = glm::min(box.last + kFillReach_posts, last) - first_ + 1;
     for (int y = 0; y < size_.y; ++y) {
       for (int x = 0; x < size_.x; ++x) {
         const glm::ivec2 post = first_ + glm::ivec2(x, y);
@@ -166,6 +172,43 @@ class Patch {
   std::vector<unsigned char> valid_;
 };
 
+// The posts of all voids that can be filled.
+std::vector<bool> find_fillable(const HeightGrid& grid, const VoidMask& mask, int widest_posts) {
+  std::vector<bool> fillable(grid.heights_m.size());
+  VoidFinder finder(grid, mask, widest_posts);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      if (!finder.is_new({column, row})) continue;
+      const Void hole = finder.flood({column, row});
+      if (!hole.fillable) continue;
+      for (const glm::ivec2 post : hole.posts) fillable[mask.index(post)] = true;
+    }
+  }
+  return fillable;
+}
+
+// The posts of `block` to fill.
+std::vector<glm::ivec2> fillable_posts(const Box& block, const VoidMask& mask,
+                                       const std::vector<bool>& fillable) {
+  std::vector<glm::ivec2> posts;
+  for (int row = block.first.y; row <= block.last.y; ++row) {
+    for (int column = block.first.x; column <= block.last.x; ++column) {
+      if (fillable[mask.index({column, row})]) posts.push_back({column, row});
+    }
+  }
+  return posts;
+}
+
+void fill(HeightGrid& grid, const VoidMask& mask, const std::vector<glm::ivec2>& posts) {
+  Box box{posts.front(), posts.front()};
+  for (const glm::ivec2 post : posts) {
+    box = {glm::min(box.first, post), glm::max(box.last, post)};
+  }
+  Patch patch(grid, mask, box);
+  patch.interpolate();
+  for (const glm::ivec2 post : posts) grid.heights_m[mask.index(post)] = patch.at(post);
+}
+
 }  // namespace
 
 std::size_t fill_voids(HeightGrid& grid, int widest_posts) {
@@ -174,17 +217,18 @@ std::size_t fill_voids(HeightGrid& grid, int widest_posts) {
   if (whole) return 0;
   const GdalScope scope;
   const VoidMask mask(grid);
-  VoidFinder finder(grid, mask, widest_posts);
+  const std::vector<bool> fillable = find_fillable(grid, mask, widest_posts);
+  constexpr int kBlock_posts = 256;
   std::size_t filled = 0;
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      if (!finder.is_new({column, row})) continue;
-      const Void hole = finder.flood({column, row});
-      if (!hole.fillable) continue;
-      Patch patch(grid, mask, hole);
-      patch.interpolate();
-      for (const glm::ivec2 post : hole.posts) grid.heights_m[mask.index(post)] = patch.at(post);
-      filled += hole.posts.size();
+  for (int row = 0; row < grid.rows; row += kBlock_posts) {
+    for (int column = 0; column < grid.columns; column += kBlock_posts) {
+      const Box block{{column, row},
+                      {std::min(column + kBlock_posts, grid.columns) - 1,
+                       std::min(row + kBlock_posts, grid.rows) - 1}};
+      const std::vector<glm::ivec2> posts = fillable_posts(block, mask, fillable);
+      if (posts.empty()) continue;
+      fill(grid, mask, posts);
+      filled += posts.size();
     }
   }
   return filled;
