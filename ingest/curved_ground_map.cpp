@@ -58,8 +58,7 @@ class PieceLimit {
     const double off_grid = kDistantError * leaf.grid_distance_cells;
     allowed_cells += off_grid;
     per_m2_ = std::max(per_m2_, glm::length(bend) / allowed_cells);
-    if (off_grid == 0)
-      metres_per_m2_ = std::max(metres_per_m2_, glm::dot(bend, leaf.patch.cell_m()));
+    if (off_grid == 0) metres_per_m2_ = std::max(metres_per_m2_, leaf.patch.metres(bend));
   }
 
   // A chord of length L strays from its curve by at most bend L^2 / 8, and by bend (g - g0) (g1 -

@@ -1,6 +1,5 @@
 #include "ingest/ground_patch.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,6 +81,12 @@ void GroundPatch::find_bounds() {
   }
   const glm::dmat2 to_ground = glm::inverse(jacobian(square_.centre_m));
   cell_m_ = {glm::length(to_ground[0]), glm::length(to_ground[1])};
+  skew_ = std::abs(glm::dot(to_ground[0], to_ground[1])) / (cell_m_.x * cell_m_.y);
+}
+
+double GroundPatch::metres(glm::dvec2 steps) const {
+  const glm::dvec2 m = steps * cell_m_;
+  return std::sqrt(m.x * m.x + m.y * m.y + 2 * skew_ * m.x * m.y);
 }
 
 glm::dvec2 GroundPatch::at(glm::dvec2 ground_m) const {
@@ -120,12 +125,6 @@ glm::dvec2 GroundPatch::bend(glm::dvec2 direction) const {
   const glm::dvec3 size = glm::abs(form);
   return {std::abs(glm::dot(central_.u, form)) + glm::dot(spread_.u, size),
           std::abs(glm::dot(central_.v, form)) + glm::dot(spread_.v, size)};
-}
-
-glm::dvec2 GroundPatch::largest_bend() const {
-  const glm::dvec3 u = glm::abs(central_.u) + spread_.u;
-  const glm::dvec3 v = glm::abs(central_.v) + spread_.v;
-  return {std::max(u.x, u.z) + u.y, std::max(v.x, v.z) + v.y};
 }
 
 }  // namespace terrview

@@ -22,8 +22,8 @@ struct GroundLine {
 class GroundMap {
  public:
   static constexpr double kTrackError_cells = 0.02;
-  // 0.07 pixel of a picture 1920 wide that spans 60 degrees. Nearer than a cell, a cell counts.
-  static constexpr double kTrackError_rad = 4e-5;
+  // 0.08 pixel of a picture 1920 wide that spans 60 degrees. Nearer than a cell, a cell counts.
+  static constexpr double kTrackError_rad = 5e-5;
 
   virtual ~GroundMap() = default;
 
