@@ -19,12 +19,6 @@ constexpr double kGap = 26;  // between panels, for the titles
 constexpr double kZeroColumn = 34;
 constexpr double kLegendLine = 18;
 constexpr int kPanelsInRow = 3;
-// Powers of ten shown.
-constexpr int kLeastError = -9;
-constexpr int kLargestError = 1;
-constexpr int kLeastSpeed = -2;  // Mray/s
-constexpr int kLargestSpeed = 4;
-
 // Okabe and Ito's colours, told apart by most eyes.
 constexpr std::array<const char*, 7> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                              "#56b4e9", "#e69f00", "#000000"};
@@ -38,19 +32,31 @@ std::string key_of(const BenchResult& result) {
   return result.contender + " (" + result.surface.value_or("") + ")";
 }
 
-double clamped_log(double value, int least, int largest) {
-  return std::clamp(std::log10(value), static_cast<double>(least), static_cast<double>(largest));
-}
+// Powers of ten from one end of an axis to the other.
+struct Decades {
+  int least;
+  int largest;
 
-Point place(const BenchResult& result) {
-  const double error = result.max_rel_error.value_or(0);
-  const double share = (clamped_log(error, kLeastError, kLargestError) - kLeastError) /
-                       (kLargestError - kLeastError);
-  const double up = (clamped_log(result.mrays_per_s, kLeastSpeed, kLargestSpeed) - kLeastSpeed) /
-                    (kLargestSpeed - kLeastSpeed);
-  return {error > 0 ? kZeroColumn + share * (kPanelWide - kZeroColumn) : kZeroColumn / 2,
-          (1 - up) * kPanelHigh};
-}
+  void take_in(double value) {
+    least = std::min(least, static_cast<int>(std::floor(std::log10(value))));
+    largest = std::max(largest, static_cast<int>(std::ceil(std::log10(value))));
+  }
+  // Of `value` on the way from the least to the largest.
+  [[nodiscard]] double share(double value) const {
+    return (std::log10(value) - least) / (largest - least);
+  }
+};
+
+struct Axes {
+  Decades error{-6, -5};
+  Decades speed{0, 1};  // Mray/s
+
+  [[nodiscard]] double x(double value) const {
+    return value > 0 ? kZeroColumn + error.share(value) * (kPanelWide - kZeroColumn)
+                     : kZeroColumn / 2;
+  }
+  [[nodiscard]] double y(double value) const { return (1 - speed.share(value)) * kPanelHigh; }
+};
 
 std::string escape(const std::string& text) {
   std::string safe;
@@ -85,12 +91,24 @@ std::string power_of_ten(int exponent) {
   return "1e" + std::to_string(exponent);
 }
 
-// Shape and colour tell the contenders apart, so that neither has to do it alone.
-void mark(std::ostream& svg, std::size_t which, Point at) {
-  const std::string paint =
-      std::string("' fill='") + kColors[which % kColors.size()] + "' fill-opacity='0.85'/>\n";
+// A shape for each family, a colour within it.
+struct Mark {
+  std::size_t order;  // in the legend
+  std::size_t shape;
+  std::size_t color;
+};
+
+std::size_t shape_of(const BenchResult& result) {
+  if (result.contender.starts_with("embree-grid")) return 2;
+  return result.contender.starts_with("embree") ? 1 : 0;
+}
+
+// Outlines, to show what lies behind.
+void draw_mark(std::ostream& svg, const Mark& mark, Point at) {
+  const std::string paint = std::string("' fill='none' stroke-width='1.8' stroke='") +
+                            kColors[mark.color % kColors.size()] + "'/>\n";
   const double r = 4.5;
-  switch (which / kColors.size() % 3) {
+  switch (mark.shape) {
     case 0:
       svg << "<circle cx='" << at.x << "' cy='" << at.y << "' r='" << r << paint;
       break;
@@ -104,20 +122,19 @@ void mark(std::ostream& svg, std::size_t which, Point at) {
   }
 }
 
-void axes(std::ostream& svg, const std::string& title) {
+void draw_axes(std::ostream& svg, const Axes& axes, const std::string& title) {
   svg << "<rect width='" << kPanelWide << "' height='" << kPanelHigh
       << "' fill='none' stroke='#888'/>\n";
-  for (int e = kLeastSpeed; e <= kLargestSpeed; ++e) {
-    const double y =
-        kPanelHigh * (kLargestSpeed - e) / static_cast<double>(kLargestSpeed - kLeastSpeed);
+  for (int e = axes.speed.least; e <= axes.speed.largest; ++e) {
+    const double y = axes.y(std::pow(10.0, e));
     line(svg, {0, y}, {kPanelWide, y});
     text(svg, {-5, y + 3}, "end", power_of_ten(e));
   }
   line(svg, {kZeroColumn, 0}, {kZeroColumn, kPanelHigh});
   text(svg, {kZeroColumn / 2, kPanelHigh + 13}, "middle", "exact");
-  for (int e = kLeastError + 1; e <= kLargestError; e += 2) {
-    const double x = kZeroColumn + (kPanelWide - kZeroColumn) * (e - kLeastError) /
-                                       static_cast<double>(kLargestError - kLeastError);
+  const int step = axes.error.largest - axes.error.least > 6 ? 2 : 1;
+  for (int e = axes.error.largest; e > axes.error.least; e -= step) {
+    const double x = axes.x(std::pow(10.0, e));
     line(svg, {x, 0}, {x, kPanelHigh});
     text(svg, {x, kPanelHigh + 13}, "middle", power_of_ten(e));
   }
@@ -139,18 +156,33 @@ std::vector<Panel> panels_of(const BenchRun& run) {
   return panels;
 }
 
-std::map<std::string, std::size_t> marks_of(const std::vector<Panel>& panels) {
-  std::map<std::string, std::size_t> marks;
+Axes axes_of(const std::vector<Panel>& panels) {
+  Axes axes;
   for (const Panel& panel : panels)
-    for (const BenchResult* result : panel.second) marks.try_emplace(key_of(*result), marks.size());
+    for (const BenchResult* result : panel.second) {
+      if (*result->max_rel_error > 0) axes.error.take_in(*result->max_rel_error);
+      axes.speed.take_in(result->mrays_per_s);
+    }
+  return axes;
+}
+
+std::map<std::string, Mark> marks_of(const std::vector<Panel>& panels) {
+  std::map<std::string, Mark> marks;
+  std::array<std::size_t, 3> colors_used{};
+  for (const Panel& panel : panels)
+    for (const BenchResult* result : panel.second) {
+      const std::size_t shape = shape_of(*result);
+      const Mark mark{marks.size(), shape, colors_used[shape]};
+      if (marks.try_emplace(key_of(*result), mark).second) ++colors_used[shape];
+    }
   return marks;
 }
 
-void legend(std::ostream& svg, const std::map<std::string, std::size_t>& marks, double top) {
-  for (const auto& [name, which] : marks) {
-    const Point at{kMarginLeft + static_cast<double>(which % 4) * 245,
-                   top + static_cast<double>(which / 4) * kLegendLine};
-    mark(svg, which, at);
+void draw_legend(std::ostream& svg, const std::map<std::string, Mark>& marks, double top) {
+  for (const auto& [name, mark] : marks) {
+    const Point at{kMarginLeft + static_cast<double>(mark.order % 4) * 245,
+                   top + static_cast<double>(mark.order / 4) * kLegendLine};
+    draw_mark(svg, mark, at);
     text(svg, {at.x + 10, at.y + 4}, "start", name);
   }
 }
@@ -159,7 +191,8 @@ void legend(std::ostream& svg, const std::map<std::string, std::size_t>& marks, 
 
 std::string figure_svg(const BenchRun& run) {
   const std::vector<Panel> panels = panels_of(run);
-  const std::map<std::string, std::size_t> marks = marks_of(panels);
+  const std::map<std::string, Mark> marks = marks_of(panels);
+  const Axes axes = axes_of(panels);
   const double column = kPanelWide + kMarginLeft;
   const double row = kPanelHigh + 2 * kGap;
   const double rows = std::ceil(static_cast<double>(panels.size()) / kPanelsInRow);
@@ -174,18 +207,18 @@ std::string figure_svg(const BenchRun& run) {
   text(svg, {kMarginLeft, 20}, "start",
        "Speed (Mray/s, upwards) against the largest relative error of the distance (to the right)");
   text(svg, {kMarginLeft, 36}, "start",
-       run.machine.value("cpu", "") + ", primary rays, " + run.date.substr(0, 10) + ", " +
-           run.command);
+       run.machine.value("cpu", "") + ", primary rays, " + run.date.substr(0, 10));
   for (std::size_t i = 0; i < panels.size(); ++i) {
     svg << "<g transform='translate("
         << kMarginLeft + static_cast<double>(i % kPanelsInRow) * column << ' '
         << kMarginTop + static_cast<double>(i / kPanelsInRow) * row << ")'>\n";
-    axes(svg, panels[i].first);
+    draw_axes(svg, axes, panels[i].first);
     for (const BenchResult* result : panels[i].second)
-      mark(svg, marks.at(key_of(*result)), place(*result));
+      draw_mark(svg, marks.at(key_of(*result)),
+                {axes.x(*result->max_rel_error), axes.y(result->mrays_per_s)});
     svg << "</g>\n";
   }
-  legend(svg, marks, legend_top);
+  draw_legend(svg, marks, legend_top);
   svg << "</svg>\n";
   return svg.str();
 }
