@@ -133,6 +133,13 @@ TEST_F(Output, SurvivesASignalThatTheParentIgnores) {
   EXPECT_EQ(outputs(), Names{"a.png"});
 }
 
+TEST_F(Output, IsWrittenThoughNobodyReadsTheMessages) {
+  const Finished finished = run(words("hills.tif --eye 48,7,+20 --size 16x12 -o a.png"),
+                                RunOptions{.unread_messages = true});
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_EQ(outputs(), Names{"a.png"});
+}
+
 TEST_F(Output, HasTheSameBytesASecondLater) {
   const auto write_all = [&](const std::string& name, const RunOptions& options) {
     for (const std::string extension : {"png", "tif", "jpg"}) {

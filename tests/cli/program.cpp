@@ -25,6 +25,13 @@ void redirect(int stream, const std::string& path) {
   ::close(file);
 }
 
+void break_stream(int stream) {
+  int ends[2];
+  if (::pipe(ends) != 0 || ::dup2(ends[1], stream) < 0) ::_exit(126);
+  ::close(ends[0]);
+  ::close(ends[1]);
+}
+
 // Sends a stream to a file while it lives.
 class Redirection {
  public:
@@ -58,10 +65,11 @@ void Program::become(const std::vector<std::string>& args, const std::string& fo
                      const RunOptions& options) const {
   redirect(STDOUT_FILENO, streams_ / "out");
   redirect(STDERR_FILENO, streams_ / "err");
+  if (options.unread_messages) break_stream(STDERR_FILENO);
   if (::chdir(folder.c_str()) != 0) ::_exit(126);
   for (const auto& [name, value] : options.environment) ::setenv(name.c_str(), value.c_str(), 1);
   // Whoever runs the tests may have these ignored.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   if (options.ignored_signal) std::signal(*options.ignored_signal, SIG_IGN);
   if (options.largest_file_bytes) {
     std::signal(SIGXFSZ, SIG_IGN);  // so that writing fails instead

@@ -24,6 +24,7 @@ struct RunOptions {
   // No file may grow beyond this: for whoever writes, a full disk.
   std::optional<std::uint64_t> largest_file_bytes = {};
   std::optional<int> ignored_signal = {};
+  bool unread_messages = false;  // standard error is a pipe that nobody reads
 };
 
 class Program {
