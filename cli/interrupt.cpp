@@ -18,6 +18,7 @@ void catch_interrupts() {
     // What the parent had ignored (nohup, a shell's background jobs) stays ignored.
     if (std::signal(signal, remember_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 void check_interrupt() {

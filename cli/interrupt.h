@@ -5,7 +5,8 @@ namespace terrview {
 
 struct Interrupted {};
 
-// From now on SIGINT, SIGTERM and SIGHUP are remembered instead of ending the program.
+// From now on SIGINT, SIGTERM and SIGHUP are remembered instead of ending the program, and nobody
+// reading its messages (`| head`) costs no picture.
 void catch_interrupts();
 
 // Throws Interrupted if one has come.

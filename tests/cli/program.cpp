@@ -1,13 +1,11 @@
 #include "tests/cli/program.h"
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -23,6 +21,13 @@ void redirect(int stream, const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (file < 0 || ::dup2(file, stream) < 0) ::_exit(126);
   ::close(file);
+}
+
+void break_stream(int stream) {
+  int ends[2];
+  if (::pipe(ends) != 0 || ::dup2(ends[1], stream) < 0) ::_exit(126);
+  ::close(ends[0]);
+  ::close(ends[1]);
 }
 
 // Sends a stream to a file while it lives.
@@ -58,16 +63,11 @@ void Program::become(const std::vector<std::string>& args, const std::string& fo
                      const RunOptions& options) const {
   redirect(STDOUT_FILENO, streams_ / "out");
   redirect(STDERR_FILENO, streams_ / "err");
+  if (options.unread_messages) break_stream(STDERR_FILENO);
   if (::chdir(folder.c_str()) != 0) ::_exit(126);
-  for (const auto& [name, value] : options.environment) ::setenv(name.c_str(), value.c_str(), 1);
   // Whoever runs the tests may have these ignored.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   if (options.ignored_signal) std::signal(*options.ignored_signal, SIG_IGN);
-  if (options.largest_file_bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);  // so that writing fails instead
-    const rlimit limit{*options.largest_file_bytes, *options.largest_file_bytes};
-    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(126);
-  }
   ::alarm(kPatience_s);
   std::vector<char*> words{const_cast<char*>(TERRVIEW_PROGRAM)};
   for (const std::string& arg : args) words.push_back(const_cast<char*>(arg.c_str()));
@@ -91,6 +91,15 @@ Finished Program::wait() {
   const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   return {code, read_text(streams_ / "out"), read_text(streams_ / "err")};
 }
+
+FullDisk::FullDisk(std::uint64_t bytes) {
+  std::signal(SIGXFSZ, SIG_IGN);  // so that writing fails instead
+  ::getrlimit(RLIMIT_FSIZE, &before_);
+  const rlimit limit{bytes, before_.rlim_max};
+  if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) throw std::runtime_error("no limit to files");
+}
+
+FullDisk::~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
 
 Finished run_here(const std::vector<std::string>& args, const std::string& folder) {
   const TemporaryFolder streams;

@@ -1,12 +1,12 @@
 // The program, run as a user runs it, and its command line within the test (a tenth of the time).
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tests/support/temporary_folder.h"
@@ -20,10 +20,8 @@ struct Finished {
 };
 
 struct RunOptions {
-  std::vector<std::pair<std::string, std::string>> environment = {};
-  // No file may grow beyond this: for whoever writes, a full disk.
-  std::optional<std::uint64_t> largest_file_bytes = {};
   std::optional<int> ignored_signal = {};
+  bool unread_messages = false;  // standard error is a pipe that nobody reads
 };
 
 class Program {
@@ -44,6 +42,18 @@ class Program {
 
   TemporaryFolder streams_;
   pid_t pid_ = -1;
+};
+
+// No file may grow beyond `bytes` while this lives: for whoever writes, a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(std::uint64_t bytes);
+  ~FullDisk();
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
 };
 
 // terrview::run() in `folder`.
