@@ -40,7 +40,9 @@ struct Expectation {
     return other;
   }
 
-  friend std::ostream& operator<<(std::ostream& out, const Expectation& e) { return out << e.file; }
+  friend std::ostream& operator<<(std::ostream& out, const Expectation& e) {
+    return out << e.file << ": " << e.why;
+  }
 };
 
 // The heights of base.tif, some of them filled in.
