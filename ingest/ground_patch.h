@@ -1,8 +1,8 @@
 // A polynomial in place of the exact ground map, over one square of ground.
 //
 // Interpolation at Chebyshev points, the terms above the total degree left out. What it is worth is
-// for its maker to measure: on a square of 140 km at 48 degrees north, a grid of 3 arc-seconds is met
-// within 1e-6 of a cell.
+// for its maker to measure: on a square of 140 km at 48 degrees north, a grid of 3 arc-seconds is
+// met within 1e-6 of a cell.
 #pragma once
 
 #include <array>
