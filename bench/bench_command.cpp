@@ -71,13 +71,19 @@ bool is_chosen(const std::vector<std::string>& chosen, const std::string& name) 
   return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
 }
 
+// Whether `name` is `wanted`, or begins with what stands before its final '*'.
+bool matches(const std::string& wanted, const std::string& name) {
+  if (!wanted.ends_with('*')) return name == wanted;
+  return name.starts_with(wanted.substr(0, wanted.size() - 1));
+}
+
 std::vector<Contender> make_contenders(const BenchOptions& options, const BenchDem& dem) {
   std::vector<Contender> contenders = terrview_contenders(dem);
   for (Contender& contender : embree_contenders(dem)) contenders.push_back(std::move(contender));
   std::erase_if(contenders, [&](const Contender& contender) {
-    const auto begins = [&](const std::string& name) { return contender.name.starts_with(name); };
+    const auto names_it = [&](const std::string& name) { return matches(name, contender.name); };
     return !options.contenders.empty() &&
-           std::none_of(options.contenders.begin(), options.contenders.end(), begins);
+           std::none_of(options.contenders.begin(), options.contenders.end(), names_it);
   });
   return contenders;
 }

@@ -51,7 +51,8 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   line.add_option("--scenes", options.scenes, "only these: synthetic, city, thesis, dem")
       ->delimiter(',');
   line.add_option("--views", options.views, "only these: horizon, gridline, ...")->delimiter(',');
-  line.add_option("--contenders", options.contenders, "only these: beginnings of names")
+  line.add_option("--contenders", options.contenders,
+                  "only these names; * at the end stands for the rest")
       ->delimiter(',');
   line.add_option("--threads", options.threads, "numbers of threads (1 and all)")
       ->delimiter(',')
