@@ -152,6 +152,11 @@ TEST_F(Usage, HelpAndVersionGoToStandardOutput) {
   }
 }
 
+TEST_F(Usage, ExitCodesAreThoseOfTheProcess) {
+  EXPECT_EQ(run(words("--version"), RunOptions{}).exit_code, 0);
+  EXPECT_EQ(run(words("none.tif --eye 48,7,+2"), RunOptions{}).exit_code, 2);
+}
+
 TEST_F(Usage, IsShownOnStandardErrorWithoutArguments) {
   const Finished finished = run({});
   EXPECT_EQ(finished.exit_code, 2);

@@ -65,7 +65,7 @@ void expect_color(const glm::vec3& color, const glm::vec3& expected, const std::
 }
 
 void expect_every_pixel(const Image& image, const glm::vec3& expected) {
-  for (const glm::vec3& pixel : image.pixels()) expect_color(pixel, expected, "on the plain");
+  for (const glm::vec3& pixel : image.pixels()) expect_color(pixel, expected, "everywhere");
 }
 
 HeightGrid plain() {
@@ -86,12 +86,18 @@ TEST(Light, IsTheAmbientAloneUnderASunBelowTheHorizon) {
   }
 }
 
-TEST(Light, FollowsTheAltitudesColour) {
-  Scene scene = scene_of(make_grid(8, 8, [](int, int) { return 250.0; }), {60, 60}, {0, 0, 1});
-  scene.tints = {.stops = {{0, {0, 0, 0}}, {1000, {1, 1, 1}}}};
-  const glm::vec3 expected = (scene.light.ambient + scene.light.sun) * 0.25F;
-  const Image image = render(scene, map_camera(300, {10, 10})).image;
-  for (const glm::vec3& pixel : image.pixels()) expect_color(pixel, expected, "at 250 m");
+TEST(Light, FollowsTheColourOfTheAltitudeWhateverItsExaggeration) {
+  for (const double z_scale : {1.0, 3.0}) {
+    const Place place{
+        .eye_uv = {3.5, 3.5}, .spacing_m = {60, 60}, .eye_height_m = 2000, .z_scale = z_scale};
+    Scene scene = scene_of(plain(), {60, 60}, {0, 0, 1});
+    scene.terrain = std::make_shared<Terrain>(make_terrain(
+        make_grid(8, 8, [](int, int) { return 250.0; }), place, SurfaceModel::triangles));
+    scene.tints = {.stops = {{0, {0, 0, 0}}, {1000, {1, 1, 1}}}};
+    const glm::vec3 expected = (scene.light.ambient + scene.light.sun) * 0.25F;
+    const Image image = render(scene, map_camera(300, {10, 10})).image;
+    for (const glm::vec3& pixel : image.pixels()) expect_color(pixel, expected, "at 250 m");
+  }
 }
 
 // A cliff of 100 m, one cell of 10 m wide, along the meridian: high ground to the west.
@@ -163,6 +169,15 @@ HeightGrid roof() {
 // N . L of the ground whose height changes by `slope` metres a metre eastwards.
 double facing_of(double slope, const glm::dvec3& towards_sun) {
   return glm::dot(glm::normalize(glm::dvec3(-slope, 0, 1)), towards_sun);
+}
+
+TEST(Light, OfASunBelowTheHorizonReachesNoSlopeThatFacesIt) {
+  Scene scene = scene_of(roof(), {kCell_m, kCell_m}, sun_at(270, -5));
+  ASSERT_GT(facing_of(kFall, scene.light.towards_sun), 0.3);
+  for (const bool casts_shadows : {true, false}) {
+    scene.light.casts_shadows = casts_shadows;
+    expect_every_pixel(render(scene, map_camera(180, {60, 4})).image, lit(scene, 0));
+  }
 }
 
 TEST(FacetNormals, LightEachSideOfARoofEvenly) {
