@@ -16,7 +16,8 @@
 //
 // Nothing lies outside the outermost posts and in cells that touch a post without data. A ray that
 // comes from there below the surface ends at that edge. Of several grids the first that has ground
-// at a point wins, and a vertical face closes the step between two of them.
+// at a point wins, and a vertical face closes the step between two of them; where one shows beside
+// another, its chord begins and ends at the border at height_at().
 //
 // Rounding: a hit lies within 1e-9 of the scene's scale of the surface, and the ray is nowhere
 // deeper than that before it (tests/terrain/tracer_test.cpp).
