@@ -11,6 +11,7 @@
 #include "bench/scalar_rays.h"
 #include "render/parallel.h"
 #include "terrain/column_tracer.h"
+#include "terrain/eye_tracer.h"
 #include "terrain/height_pyramid.h"
 
 namespace terrview {
@@ -61,6 +62,71 @@ FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threa
     nodes += counts.nodes;
   });
   return {.tests = tests, .nodes = nodes};
+}
+
+// Rays in blocks of the image, by the view's front; as the renderer takes them.
+FrameWork trace_blocks(const EyeFront& front, const Camera& camera, int threads,
+                       TracedFrame& frame) {
+  constexpr int kWide_px = 32;
+  constexpr int kHigh_px = static_cast<int>(EyeRays::kMost) / kWide_px;
+  std::atomic<std::int64_t> tests = 0;
+  std::atomic<std::int64_t> nodes = 0;
+  const glm::ivec2 size_px = frame.size_px;
+  const int cells_in_row = front.terrain().layers()[0].grid->columns - 1;
+  parallel_for((size_px.y + kHigh_px - 1) / kHigh_px, threads, [&](int band) {
+    const auto rays = std::make_unique<EyeRays>();
+    const auto normals = std::make_unique<EyeNormals>();
+    TraceCounts counts;
+    const int rows = std::min(kHigh_px, size_px.y - band * kHigh_px);
+    for (int left = 0; left < size_px.x; left += kWide_px) {
+      const int columns = std::min(kWide_px, size_px.x - left);
+      std::size_t i = 0;
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column, ++i) {
+          const Ray ray = camera.ray({left + column + 0.5, band * kHigh_px + row + 0.5});
+          rays->direction_x[i] = ray.direction.x;
+          rays->direction_y[i] = ray.direction.y;
+          rays->direction_z[i] = ray.direction.z;
+        }
+      rays->count = i;
+      trace(front, *rays, counts);
+      facet_normals(front.terrain(), *rays, *normals);
+      i = 0;
+      for (int row = 0; row < rows; ++row) {
+        std::size_t pixel = frame.index(left, band * kHigh_px + row);
+        for (int column = 0; column < columns; ++column, ++i, ++pixel) {
+          const bool hit = rays->is_hit(i);
+          frame.distance_m[pixel] = hit ? rays->ground_m[i] * std::sqrt(1 + rays->slope[i] * rays->slope[i])
+                                        : std::numeric_limits<double>::infinity();
+          frame.cell[pixel] =
+              hit ? static_cast<std::int32_t>(rays->row[i]) * cells_in_row + static_cast<std::int32_t>(rays->column[i]) : kNoCell;
+          frame.normal_east[pixel] = hit ? static_cast<float>(normals->x[i]) : 0;
+          frame.normal_north[pixel] = hit ? static_cast<float>(normals->y[i]) : 0;
+        }
+      }
+    }
+    tests += counts.tests;
+    nodes += counts.nodes;
+  });
+  return {.tests = tests, .nodes = nodes};
+}
+
+Contender by_front(const BenchDem& dem) {
+  Contender contender = scalar(dem, {"terrview-front", Search::pyramid}, SurfaceModel::hyperboloid);
+  const auto ceilings = std::make_shared<const HeightCeilings>(*dem.grid);
+  contender.place = [&dem, ceilings, scalar_place = contender.place](const BenchView& view) {
+    ViewTracer tracer = scalar_place(view);
+    const auto terrain = std::make_shared<const Terrain>(
+        terrain_of(dem, view, SurfaceModel::hyperboloid, Search::pyramid));
+    tracer.primary = [terrain, ceilings, &view](int threads, TracedFrame& frame) {
+        static const double px = getenv("WPX") ? atof(getenv("WPX")) : 4.0;
+        const EyeFront front(*terrain, *ceilings, px * view.camera.options().fov_rad / view.camera.options().size_px.x);
+        return trace_blocks(front, view.camera, threads, frame);
+      };
+    tracer.shadow = {};
+    return tracer;
+  };
+  return contender;
 }
 
 // The way the program goes by default.
@@ -128,6 +194,7 @@ std::vector<Contender> terrview_contenders(const BenchDem& dem) {
     contenders.push_back(std::move(contender));
   };
   add_built(default_way(dem));
+  add_built(by_front(dem));
   for (const SurfaceModel surface :
        {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
     contenders.push_back(scalar(dem, {"terrview-plain", Search::plain}, surface));

@@ -34,10 +34,25 @@ void check(const CameraOptions& options) {
     throw InputError("--pitch, --roll: a cylindrical view: it is level; leave them out");
 }
 
+// On the image plane at distance 1; in radians; in metres.
+double size_of_pixel(const CameraOptions& options) {
+  const double width_px = options.size_px.x;
+  switch (options.projection) {
+    case Projection::perspective:
+      return std::tan(options.fov_rad / 2) / (width_px / 2);
+    case Projection::cylindrical:
+      return options.fov_rad / width_px;
+    case Projection::orthographic:
+      return options.width_m / width_px;
+  }
+  return 0;
+}
+
 }  // namespace
 
 Camera::Camera(const CameraOptions& options) : options_(options) {
   check(options);
+  per_px_ = size_of_pixel(options);
   const double sin_heading = std::sin(options.heading_rad);
   const double cos_heading = std::cos(options.heading_rad);
   const double sin_pitch = std::sin(options.pitch_rad);
@@ -56,19 +71,14 @@ Ray Camera::ray(glm::dvec2 image_px) const {
   const double right_px = image_px.x - size.x / 2;
   const double up_px = size.y / 2 - image_px.y;
   switch (options_.projection) {
-    case Projection::perspective: {
-      const double k = std::tan(options_.fov_rad / 2) / (size.x / 2);
-      return {{0, 0, 0}, forward_ + right_ * (right_px * k) + up_ * (up_px * k)};
-    }
+    case Projection::perspective:
+      return {{0, 0, 0}, forward_ + right_ * (right_px * per_px_) + up_ * (up_px * per_px_)};
     case Projection::cylindrical: {
-      const double per_px = options_.fov_rad / size.x;
-      const double azimuth = options_.heading_rad + right_px * per_px;
-      return {{0, 0, 0}, {std::sin(azimuth), std::cos(azimuth), up_px * per_px}};
+      const double azimuth = options_.heading_rad + right_px * per_px_;
+      return {{0, 0, 0}, {std::sin(azimuth), std::cos(azimuth), up_px * per_px_}};
     }
-    case Projection::orthographic: {
-      const double per_px = options_.width_m / size.x;
-      return {right_ * (right_px * per_px) + up_ * (up_px * per_px), forward_};
-    }
+    case Projection::orthographic:
+      return {right_ * (right_px * per_px_) + up_ * (up_px * per_px_), forward_};
   }
   return {};
 }
@@ -79,23 +89,19 @@ std::optional<glm::dvec2> Camera::project(const glm::dvec3& point_m) const {
     return glm::dvec2(size.x / 2 + right_px, size.y / 2 - up_px);
   };
   if (options_.projection == Projection::cylindrical) {
-    const double per_px = options_.fov_rad / size.x;
     const double ground_m = std::hypot(point_m.x, point_m.y);
     if (ground_m == 0) return std::nullopt;
     const double azimuth =
         std::remainder(std::atan2(point_m.x, point_m.y) - options_.heading_rad, 2 * kPi);
-    return pixel(azimuth / per_px, point_m.z / ground_m / per_px);
+    return pixel(azimuth / per_px_, point_m.z / ground_m / per_px_);
   }
   const double right_m = glm::dot(point_m, right_);
   const double up_m = glm::dot(point_m, up_);
-  if (options_.projection == Projection::orthographic) {
-    const double per_px = options_.width_m / size.x;
-    return pixel(right_m / per_px, up_m / per_px);
-  }
+  if (options_.projection == Projection::orthographic)
+    return pixel(right_m / per_px_, up_m / per_px_);
   const double depth_m = glm::dot(point_m, forward_);
   if (!(depth_m > 0)) return std::nullopt;
-  const double k = std::tan(options_.fov_rad / 2) / (size.x / 2);
-  return pixel(right_m / depth_m / k, up_m / depth_m / k);
+  return pixel(right_m / depth_m / per_px_, up_m / depth_m / per_px_);
 }
 
 std::optional<ColumnView> column_view(const Camera& camera) {

@@ -54,6 +54,7 @@ class Camera {
   glm::dvec3 forward_;
   glm::dvec3 right_;
   glm::dvec3 up_;
+  double per_px_ = 0;  // on the image plane, radians or metres
 };
 
 // The camera's rays column by column, where its columns are vertical planes through the eye.

@@ -11,84 +11,16 @@
 #include "terrain/column_tracer.h"
 #include "terrain/column_walk.h"
 #include "terrain/tracer.h"
+#include "terrain/vector_ground-inl.h"
 #include "terrain/vertical_math.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<double, kMostLanes>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-
-HWY_INLINE V of(double x) { return hn::Set(D(), x); }
-
-HWY_INLINE V series(const std::array<double, 6>& coefficients, V x) {
-  V sum = of(coefficients[5]);
-  for (std::size_t i = 5; i-- > 0;) sum = of(coefficients[i]) + x * sum;
-  return sum;
-}
-
-HWY_INLINE std::uint32_t bits_of(M mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(D(), mask, bytes);
-  return bytes[0];
-}
-
-// z of the ground: VerticalFrame::at(line.at(g)).z_m(z_scale * height), lane by lane.
-class VectorFrame {
- public:
-  explicit VectorFrame(const VerticalFrame& frame)
-      : flat_(frame.north_curvature_per_m == 0 && frame.east_curvature_per_m == 0),
-        eye_(of(frame.eye_height_m)),
-        scale_(of(frame.z_scale)),
-        north_(of(frame.north_curvature_per_m)),
-        east_(of(frame.east_curvature_per_m)),
-        half_refraction_(of(frame.refraction / 2)) {}
-
-  HWY_INLINE V z(V x, V y, V height) const {
-    const V scene_height = scale_ * height;
-    if (flat_) return scene_height - eye_;
-    const V x2 = x * x;
-    const V y2 = y * y;
-    const V s2 = x2 + y2;
-    const V s2_over_r = x2 * east_ + y2 * north_;
-    const V curvature = hn::IfThenElse(s2 > of(0), s2_over_r / s2, north_);
-    const V gamma2 = s2_over_r * curvature;
-    const V drop = s2_over_r * (half_refraction_ - series(kHalfTangent, gamma2));
-    const V stretch = series(kInverseSinc, gamma2);
-    return drop + stretch * (scene_height - eye_) / (of(1) + curvature * scene_height);
-  }
-
- private:
-  bool flat_;
-  V eye_;
-  V scale_;
-  V north_;
-  V east_;
-  V half_refraction_;
-};
-
-// ColumnState in registers.
-struct Registers {
-  V column, row, g, u, v, z;
-  V begin, end, start_u, start_v, rate_u, rate_v, metres_u, metres_v;
-  V x, y, slope;
-};
+static_assert(kMostLanes == kVectorLanes);
 
 HWY_INLINE V get(const Lanes& lanes) { return hn::Load(D(), lanes.data()); }
 HWY_INLINE void set(Lanes& lanes, V value) { hn::Store(value, D(), lanes.data()); }
-
-// Lanes that have ended are computed all the same: they stand still in a cell of the grid.
-HWY_INLINE void park(Registers& r, std::uint32_t active) {
-  const std::uint8_t bits[8] = {static_cast<std::uint8_t>(active)};
-  const M moving = hn::LoadMaskBits(D(), bits);
-  r.column = hn::IfThenElseZero(moving, r.column);
-  r.row = hn::IfThenElseZero(moving, r.row);
-  r.rate_u = hn::IfThenElseZero(moving, r.rate_u);
-  r.rate_v = hn::IfThenElseZero(moving, r.rate_v);
-}
 
 HWY_INLINE Registers load(const ColumnState& s, std::uint32_t active) {
   Registers r{get(s.column), get(s.row),    get(s.g),        get(s.u),        get(s.v),
@@ -107,99 +39,6 @@ HWY_INLINE void store(const Registers& r, ColumnState& s) {
   set(s.u, r.u);
   set(s.v, r.v);
   set(s.z, r.z);
-}
-
-// The next crossing of every lane, as GridWalk finds it.
-struct NextCrossing {
-  V g, u, v, z;
-  M over_column;
-  M has_ground;  // the cell walked to there
-};
-
-// The grid under a strip of columns.
-class VectorGrid {
- public:
-  explicit VectorGrid(const Terrain& terrain)
-      : frame_(terrain.frame()),
-        heights_m_(terrain.layers()[0].grid->heights_m.data()),
-        columns_(of(terrain.layers()[0].grid->columns)),
-        rows_(of(terrain.layers()[0].grid->rows)),
-        has_holes_(terrain.has_holes()) {}
-
-  HWY_INLINE NextCrossing next_crossing(const Registers& r) const {
-    V column_line;
-    V row_line;
-    const V column_g = meets(r, r.column, r.start_u, r.rate_u, r.metres_u, column_line);
-    const V row_g = meets(r, r.row, r.start_v, r.rate_v, r.metres_v, row_line);
-    NextCrossing next;
-    next.over_column = hn::Not(row_g < column_g);
-    next.g = hn::IfThenElse(next.over_column, column_g, row_g);
-
-    const V along = next.g - r.begin;
-    const V u = clamp(r.start_u + r.rate_u * along, r.column);
-    const V v = clamp(r.start_v + r.rate_v * along, r.row);
-    const V share = hn::IfThenElse(next.over_column, v - r.row, u - r.column);
-    next.u = hn::IfThenElse(next.over_column, column_line, u);
-    next.v = hn::IfThenElse(next.over_column, v, row_line);
-
-    const V first_column = hn::IfThenElse(next.over_column, column_line, r.column);
-    const V first_row = hn::IfThenElse(next.over_column, r.row, row_line);
-    const V post = first_row * columns_ + first_column;
-    const V along_edge = hn::IfThenElse(next.over_column, columns_, of(1));
-    const V from = gather(post);
-    const V to = gather(post + along_edge);
-    next.has_ground = from == from;
-    if (has_holes_) {
-      // To the edge of the cell opposite the one crossed.
-      const V stride = hn::IfThenElse(next.over_column, of(1), columns_);
-      const M forward = hn::IfThenElse(next.over_column, r.rate_u, r.rate_v) > of(0);
-      const V across = hn::IfThenElse(forward, of(0) - stride, stride);
-      const V sum = from + to + gather(post + across) + gather(post + across + along_edge);
-      next.has_ground = sum == sum;
-    }
-    next.z = frame_.z(r.x * next.g, r.y * next.g, from + share * (to - from));
-    return next;
-  }
-
-  HWY_INLINE M is_inside(const Registers& r) const {
-    return hn::And(hn::And(r.column >= of(0), r.row >= of(0)),
-                   hn::And(r.column < columns_ - of(1), r.row < rows_ - of(1)));
-  }
-
- private:
-  HWY_INLINE V gather(V index) const {
-    const hn::Rebind<float, D> floats;
-    const hn::Rebind<std::int32_t, D> ints;
-    return hn::PromoteTo(D(), hn::GatherIndex(floats, heights_m_, hn::DemoteTo(ints, index)));
-  }
-
-  // Where a line of the grid is met, never before the last crossing.
-  HWY_INLINE V meets(const Registers& r, V cell, V start, V rate, V metres, V& line) const {
-    line = hn::IfThenElse(rate > of(0), cell + of(1), cell);
-    const V g = hn::Max(r.g, r.begin + (line - start) * metres);
-    return hn::IfThenElse(rate == of(0), hn::Inf(D()), g);
-  }
-
-  HWY_INLINE V clamp(V value, V cell) const { return hn::Min(hn::Max(value, cell), cell + of(1)); }
-
-  VectorFrame frame_;
-  const float* heights_m_;
-  V columns_;
-  V rows_;
-  bool has_holes_;
-};
-
-HWY_INLINE void advance(Registers& r, const NextCrossing& next) {
-  // Sign by sign, so that a parked lane, whose rate is 0, stays where it is.
-  const auto step = [&](V rate) HWY_ATTR {
-    return hn::IfThenElseZero(rate > of(0), of(1)) - hn::IfThenElseZero(rate < of(0), of(1));
-  };
-  r.column = r.column + hn::IfThenElseZero(next.over_column, step(r.rate_u));
-  r.row = r.row + hn::IfThenZeroElse(next.over_column, step(r.rate_v));
-  r.g = next.g;
-  r.u = next.u;
-  r.v = next.v;
-  r.z = next.z;
 }
 
 // Records the rays of the lanes in `hit`, whose clearance at `next` is `out`.
@@ -348,7 +187,7 @@ Hit column_hit(const ColumnView& view, int column, int row, const ColumnHit& hit
       {0, 0, 0},
       {view.across[static_cast<std::size_t>(column)], view.rise[static_cast<std::size_t>(row)]}};
   const double slope = ray_slope(ray);
-  return {hit.g_m * std::hypot(1.0, slope),
+  return {hit.g_m * metres_per_g(slope),
           glm::dvec3(ground_line(ray).at(hit.g_m), 0 + slope * hit.g_m), 0, hit.cell, hit.uv};
 }
 

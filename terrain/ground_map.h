@@ -38,6 +38,9 @@ class GroundMap {
   [[nodiscard]] virtual double piece_end_m(const GroundLine& line, double from_m,
                                            double limit_m) const = 0;
 
+  // The jacobian, where it is the same everywhere and every line is one piece; else null.
+  [[nodiscard]] virtual const glm::dmat2* linear() const { return nullptr; }
+
   // A distance from the eye beyond which no post lies (or can be seen).
   [[nodiscard]] virtual double reach_m() const = 0;
 };
@@ -52,6 +55,7 @@ class AffineGroundMap final : public GroundMap {
   [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const override;
   [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
                                    double limit_m) const override;
+  [[nodiscard]] const glm::dmat2* linear() const override { return &jacobian_; }
   [[nodiscard]] double reach_m() const override { return reach_m_; }
 
  private:

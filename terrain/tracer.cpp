@@ -51,7 +51,7 @@ class Tracer {
         ray_(ray),
         line_(ground_line(ray)),
         slope_(ray_slope(ray)),
-        metres_per_g_(std::hypot(1.0, slope_)) {}
+        metres_per_g_(metres_per_g(slope_)) {}
 
   Trace run() {
     const double end_m =
@@ -183,6 +183,7 @@ class Tracer {
     const double g_m = span.in.g_m + share * (span.out.g_m - span.in.g_m);
     const double distance_m = g_m * metres_per_g_;
     trace_.outcome = Outcome::hit;
+    trace_.ground_m = g_m;
     trace_.hit = {distance_m, glm::dvec3(line_.at(g_m), ray_z(g_m)), grid, span.cell,
                   span.in.uv + share * (span.out.uv - span.in.uv)};
     return false;
@@ -207,11 +208,13 @@ Trace trace_vertical(const Terrain& terrain, const Ray& ray) {
   if (!ground) return {};
   const double z_m = terrain.frame().at(glm::dvec2(ray.origin_m)).z_m(ground->scene_height_m);
   const double clearance_m = ray.origin_m.z - z_m;
-  if (clearance_m < 0) return {Outcome::below, {}, {.tests = 1}};
+  if (clearance_m < 0) return {Outcome::below, {}, 0, {.tests = 1}};
   if (ray.direction.z > 0 || clearance_m > ray.length_m) return {};
   const glm::dvec3 position(ray.origin_m.x, ray.origin_m.y, z_m);
-  return {
-      Outcome::hit, {clearance_m, position, ground->grid, ground->cell, ground->uv}, {.tests = 1}};
+  return {Outcome::hit,
+          {clearance_m, position, ground->grid, ground->cell, ground->uv},
+          0,
+          {.tests = 1}};
 }
 
 }  // namespace
@@ -224,8 +227,14 @@ double leaves_disc_m(const GroundLine& line, double reach_m) {
   return -along + std::sqrt(discriminant);
 }
 
+double metres_per_g(double slope) { return std::sqrt(1 + slope * slope); }
+
 double ray_slope(const Ray& ray) {
   return ray.direction.z / glm::length(glm::dvec2(ray.direction));
+}
+
+bool is_vertical(const Ray& ray) {
+  return glm::length(glm::dvec2(ray.direction)) < kVertical * std::abs(ray.direction.z);
 }
 
 GroundLine ground_line(const Ray& ray) {
@@ -234,7 +243,7 @@ GroundLine ground_line(const Ray& ray) {
 }
 
 Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray) {
-  if (glm::length(glm::dvec2(ray.direction)) < kVertical * std::abs(ray.direction.z))
+  if (is_vertical(ray))
     return trace_vertical(terrain, ray);
   return Tracer(terrain, ceiling_m, ray).run();
 }

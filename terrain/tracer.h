@@ -15,14 +15,21 @@ enum class Outcome {
 
 struct Trace {
   Outcome outcome = Outcome::free;
-  Hit hit{};  // where outcome is hit
+  Hit hit{};            // where outcome is hit
+  double ground_m = 0;  // of the hit, along the ground line
   TraceCounts counts;
 };
+
+// Whether a ray moves sideways by less than rounding.
+[[nodiscard]] bool is_vertical(const Ray& ray);
 
 // The ground line of a ray that is not vertical, and its slope dz/dg. Rays whose directions have
 // equal x and y share the line.
 [[nodiscard]] GroundLine ground_line(const Ray& ray);
 [[nodiscard]] double ray_slope(const Ray& ray);
+
+// Metres along a ray of this slope, per metre of its ground line.
+[[nodiscard]] double metres_per_g(double slope);
 
 // Where `line` leaves the disc of `reach_m` about the eye; negative if it never enters it.
 [[nodiscard]] double leaves_disc_m(const GroundLine& line, double reach_m);

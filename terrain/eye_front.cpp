@@ -1,0 +1,329 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "terrain/eye_front.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for every instruction set
+//
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+
+#include "terrain/eye_front.h"
+#include "terrain/vector_ground-inl.h"
+
+#ifndef TERRVIEW_TERRAIN_EYE_FRONT_ONCE
+#define TERRVIEW_TERRAIN_EYE_FRONT_ONCE
+namespace terrview {
+
+// Sectors reach this far beyond what their corners say: above rounding, and above the bulge of a
+// ring between the edges of a wedge.
+constexpr double kSectorMargin_cells = 0.02;
+
+// Larger than the rounding of a clearance, as a share of the numbers it comes from.
+constexpr double kBoundRounding = 1e-11;
+
+// The edges of a group of wedges.
+struct WedgeEdges {
+  using Values = std::array<double, EyeFront::kGroup>;
+  // Unit directions of the two edges, view frame.
+  alignas(64) Values x_a, y_a, x_b, y_b;
+  // Posts per metre along them: the lesser and the greater of the two.
+  alignas(64) Values low_u, low_v, high_u, high_v;
+};
+
+// One ring of sectors, and the blocks that cover them.
+struct SectorRing {
+  double near_m;
+  double far_m;
+  int level;
+  const HeightCeilings::Level* blocks;
+};
+
+}  // namespace terrview
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace terrview {
+namespace HWY_NAMESPACE {
+
+class SectorBounds {
+ public:
+  SectorBounds(const Terrain& terrain, const WedgeEdges& edges)
+      : frame_(terrain.frame()),
+        flat_(terrain.frame().north_curvature_per_m == 0 &&
+              terrain.frame().east_curvature_per_m == 0),
+        eye_uv_(terrain.layers()[0].map->to_grid({0, 0})),
+        last_cell_(terrain.layers()[0].grid->columns - 2, terrain.layers()[0].grid->rows - 2),
+        eye_height_m_(terrain.frame().eye_height_m),
+        z_scale_(terrain.frame().z_scale),
+        edges_(edges) {}
+
+  // The bounds of the sectors of lanes `first`, ... of the group.
+  HWY_INLINE V at(const SectorRing& ring, std::size_t first) const {
+    M outside;
+    const V height = highest(ring, first, outside);
+    const V z = ceiling(ring, first, height);
+    const V slack =
+        of(kBoundRounding) * (hn::Abs(of(z_scale_) * height) + of(std::abs(eye_height_m_)) +
+                              hn::Abs(z));
+    const V top = z + slack;
+    const V near = ring.near_m > 0 ? top / of(ring.near_m) : hn::Inf(D());
+    const V bound = hn::IfThenElse(top < of(0), top / of(ring.far_m), near);
+    // Above the rounding to a float.
+    const V rounded_up = bound + hn::Abs(bound) * of(0x1p-22) + of(1e-30);
+    const M empty = hn::Or(outside, height == of(-std::numeric_limits<double>::infinity()));
+    return hn::IfThenElse(empty, of(-std::numeric_limits<double>::infinity()), rounded_up);
+  }
+
+ private:
+  // The first and last block along an axis.
+  struct Blocks {
+    V first, last;
+  };
+
+  HWY_INLINE Blocks blocks(const SectorRing& ring, V low_rate, V high_rate, double eye,
+                           double last_cell, M& outside) const {
+    const V low = of(eye - kSectorMargin_cells) +
+                  hn::Min(low_rate * of(ring.near_m), low_rate * of(ring.far_m));
+    const V high = of(eye + kSectorMargin_cells) +
+                   hn::Max(high_rate * of(ring.near_m), high_rate * of(ring.far_m));
+    outside = hn::Or(high < of(0), low > of(last_cell + 1));
+    const V per_block = of(std::ldexp(1.0, -ring.level));
+    const auto block = [&](V at) HWY_ATTR {
+      return hn::Floor(hn::Floor(hn::Min(hn::Max(at, of(0)), of(last_cell))) * per_block);
+    };
+    return {block(low), block(high)};
+  }
+
+  HWY_INLINE V highest(const SectorRing& ring, std::size_t first, M& outside) const {
+    M outside_u;
+    M outside_v;
+    const Blocks u = blocks(ring, hn::Load(D(), edges_.low_u.data() + first),
+                            hn::Load(D(), edges_.high_u.data() + first), eye_uv_.x, last_cell_.x,
+                            outside_u);
+    const Blocks v = blocks(ring, hn::Load(D(), edges_.low_v.data() + first),
+                            hn::Load(D(), edges_.high_v.data() + first), eye_uv_.y, last_cell_.y,
+                            outside_v);
+    outside = hn::Or(outside_u, outside_v);
+    const V columns = of(ring.blocks->columns);
+    const auto block = [&](V column, V row) HWY_ATTR {
+      const hn::Rebind<float, D> floats;
+      const hn::Rebind<std::int32_t, D> ints;
+      return hn::GatherIndex(floats, ring.blocks->highest_m.data(),
+                             hn::DemoteTo(ints, row * columns + column));
+    };
+    const auto north = hn::Max(block(u.first, v.first), block(u.last, v.first));
+    const auto south = hn::Max(block(u.first, v.last), block(u.last, v.last));
+    return hn::PromoteTo(D(), hn::Max(north, south));
+  }
+
+  // The highest z over the sector. Along an edge z is monotonic in the distance, or bends by less
+  // than the slack; and in the azimuth, because no wedge crosses an axis.
+  HWY_INLINE V ceiling(const SectorRing& ring, std::size_t first, V height) const {
+    if (flat_) return of(z_scale_) * height - of(eye_height_m_);
+    const V x_a = hn::Load(D(), edges_.x_a.data() + first);
+    const V y_a = hn::Load(D(), edges_.y_a.data() + first);
+    const V x_b = hn::Load(D(), edges_.x_b.data() + first);
+    const V y_b = hn::Load(D(), edges_.y_b.data() + first);
+    const auto at = [&](double distance_m) HWY_ATTR {
+      const V s = of(distance_m);
+      return hn::Max(frame_.z(x_a * s, y_a * s, height), frame_.z(x_b * s, y_b * s, height));
+    };
+    return hn::Max(at(ring.near_m), at(ring.far_m));
+  }
+
+  VectorFrame frame_;
+  bool flat_;
+  glm::dvec2 eye_uv_;
+  glm::dvec2 last_cell_;
+  double eye_height_m_;
+  double z_scale_;
+  const WedgeEdges& edges_;
+};
+
+// bounds[kGroup * i + j]: those of ring i and wedge j.
+void make_bounds(const Terrain& terrain, const WedgeEdges& edges, std::span<const SectorRing> rings,
+                 float* bounds) {
+  const SectorBounds sectors(terrain, edges);
+  const hn::Rebind<float, D> floats;
+  for (const SectorRing& ring : rings) {
+    for (std::size_t first = 0; first < EyeFront::kGroup; first += hn::Lanes(D()))
+      hn::StoreU(hn::DemoteTo(floats, sectors.at(ring, first)), floats, bounds + first);
+    bounds += EyeFront::kGroup;
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace terrview
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace terrview {
+
+HWY_EXPORT(make_bounds);
+
+namespace {
+
+// Wider than the rounding with which a ray finds its wedge.
+constexpr double kEdgeMargin = 1e-12;
+
+glm::dvec2 square_direction(int side, double c) {
+  switch (side) {
+    case 0:
+      return {c, 1};
+    case 1:
+      return {1, c};
+    case 2:
+      return {c, -1};
+    default:
+      return {-1, c};
+  }
+}
+
+WedgeEdges edges_of(int group, int wedges_a_side, const glm::dmat2& jacobian) {
+  WedgeEdges edges;
+  for (int i = 0; i < EyeFront::kGroup; ++i) {
+    const int wedge = group * EyeFront::kGroup + i;
+    const int side = wedge / wedges_a_side;
+    const double first = wedge % wedges_a_side;
+    const auto edge = [&](double place) {
+      return glm::normalize(square_direction(side, -1 + 2 * place / wedges_a_side));
+    };
+    const glm::dvec2 a = edge(first - kEdgeMargin * wedges_a_side);
+    const glm::dvec2 b = edge(first + 1 + kEdgeMargin * wedges_a_side);
+    const glm::dvec2 rate_a = jacobian * a;
+    const glm::dvec2 rate_b = jacobian * b;
+    const auto j = static_cast<std::size_t>(i);
+    edges.x_a[j] = a.x;
+    edges.y_a[j] = a.y;
+    edges.x_b[j] = b.x;
+    edges.y_b[j] = b.y;
+    edges.low_u[j] = std::min(rate_a.x, rate_b.x);
+    edges.low_v[j] = std::min(rate_a.y, rate_b.y);
+    edges.high_u[j] = std::max(rate_a.x, rate_b.x);
+    edges.high_v[j] = std::max(rate_a.y, rate_b.y);
+  }
+  return edges;
+}
+
+// The most posts along u or v that a metre of ground is worth.
+double posts_per_metre(const glm::dmat2& jacobian) {
+  return std::max(glm::length(glm::dvec2(jacobian[0].x, jacobian[1].x)),
+                  glm::length(glm::dvec2(jacobian[0].y, jacobian[1].y)));
+}
+
+// A whole number of groups a side, and an even one of wedges, so that none crosses an axis.
+int wedges_a_side(double wedge_rad) {
+  constexpr int kStep = EyeFront::kGroup / 4;
+  constexpr int kMost = 1 << 14;
+  return kStep * static_cast<int>(std::ceil(std::clamp(2 / wedge_rad, 1.0, 1.0 * kMost) / kStep));
+}
+
+}  // namespace
+
+bool EyeFront::serves(const Terrain& terrain) {
+  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
+  const TerrainLayer& layer = terrain.layers()[0];
+  const VerticalFrame& frame = terrain.frame();
+  const double gamma =
+      terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
+  constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
+  return layer.map->linear() && gamma * gamma < kSeriesLimit &&
+         static_cast<double>(layer.grid->columns) * layer.grid->rows < kMostPosts;
+}
+
+EyeFront::EyeFront(const Terrain& terrain, const HeightCeilings& ceilings, double wedge_rad)
+    : terrain_(terrain), ceilings_(ceilings), wedges_a_side_(terrview::wedges_a_side(wedge_rad)) {
+  lay_rings(2.0 / wedges_a_side_);
+  const auto wedges = static_cast<std::size_t>(4 * wedges_a_side_);
+  const auto ring_count = static_cast<std::size_t>(rings());
+  bounds_ = std::make_unique_for_overwrite<float[]>(wedges * (ring_count + 1));
+  coarse_bounds_ = std::make_unique_for_overwrite<float[]>(
+      wedges * static_cast<std::size_t>(coarse_rings()));
+  starts_ = std::make_unique_for_overwrite<std::int32_t[]>(wedges * kStartBins);
+  made_ = std::make_unique<std::once_flag[]>(wedges / kGroup);
+}
+
+void EyeFront::lay_rings(double wedge_rad) {
+  // Of the 2^level cells that a sector's box may take up, what the margins leave.
+  constexpr double kFill = 0.95;
+  // A sector may be this much wider than deep before the next level serves it better.
+  constexpr double kWidest = 0.6;
+  const double per_metre = posts_per_metre(*terrain_.layers()[0].map->linear());
+  const double reach_m = terrain_.reach_m();
+  margin_m_ = kSectorMargin_cells / per_metre / 2;
+  ring_m_.push_back(0);
+  int level = 1;
+  while (ring_m_.back() < reach_m) {
+    const double near_m = ring_m_.back();
+    const double box_m = kFill * std::ldexp(1.0, level) / per_metre;
+    const double arc_m = (near_m + box_m) * wedge_rad;
+    if (arc_m > kWidest * box_m && level < ceilings_.last_level()) {
+      ++level;
+      continue;
+    }
+    const bool is_last = level == ceilings_.last_level();
+    ring_m_.push_back(is_last ? std::max(reach_m, near_m + box_m)
+                              : near_m + std::sqrt(box_m * box_m - arc_m * arc_m));
+    levels_.push_back(level);
+  }
+}
+
+void EyeFront::make(int group) const {
+  std::call_once(made_[static_cast<std::size_t>(group)], [&] {
+    const WedgeEdges edges =
+        edges_of(group, wedges_a_side_, *terrain_.layers()[0].map->linear());
+    std::vector<SectorRing> rings;
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+      rings.push_back({ring_m_[i], ring_m_[i + 1], levels_[i], &ceilings_.level(levels_[i])});
+    const std::size_t stride = (rings.size() + 1) * kGroup;
+    float* bounds = bounds_.get() + static_cast<std::size_t>(group) * stride;
+    HWY_DYNAMIC_DISPATCH(make_bounds)(terrain_, edges, rings, bounds);
+    std::fill_n(bounds + rings.size() * kGroup, kGroup, std::numeric_limits<float>::infinity());
+    make_coarse_bounds(group);
+    make_starts(group);
+  });
+}
+
+void EyeFront::make_coarse_bounds(int group) const {
+  const auto count = static_cast<std::size_t>(rings()) + 1;
+  const auto coarse_count = static_cast<std::size_t>(coarse_rings());
+  const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * count * kGroup;
+  float* coarse = coarse_bounds_.get() + static_cast<std::size_t>(group) * coarse_count * kGroup;
+  std::fill_n(coarse, coarse_count * kGroup, -std::numeric_limits<float>::infinity());
+  for (std::size_t ring = 0; ring < count; ++ring)
+    for (std::size_t i = 0; i < kGroup; ++i) {
+      float& highest = coarse[ring / kStride * kGroup + i];
+      highest = std::max(highest, bounds[ring * kGroup + i]);
+    }
+}
+
+void EyeFront::make_starts(int group) const {
+  // Above the rounding with which a ray finds its bin.
+  constexpr double kBinMargin = 1e-9;
+  const auto count = static_cast<std::size_t>(rings()) + 1;
+  const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * count * kGroup;
+  for (std::size_t i = 0; i < kGroup; ++i) {
+    std::int32_t* starts =
+        starts_.get() + (static_cast<std::size_t>(group) * kGroup + i) * kStartBins;
+    float highest = -std::numeric_limits<float>::infinity();
+    int filled = 0;
+    for (std::size_t ring = 0; ring < count && filled < kStartBins; ++ring) {
+      const float bound = bounds[ring * kGroup + i];
+      if (bound <= highest) continue;
+      highest = bound;
+      const double bin = std::isinf(bound) ? kStartBins : start_bin(bound) + kBinMargin;
+      const int last = std::min(static_cast<int>(bin), kStartBins - 1);
+      for (; filled <= last; ++filled) starts[filled] = static_cast<std::int32_t>(ring);
+    }
+  }
+}
+
+}  // namespace terrview
+#endif

@@ -1,0 +1,88 @@
+// The conservative front of a view: how far from the eye each ray is certainly above the ground.
+//
+// The ground around the eye is cut into wedges of azimuth and into rings of distance. The sector
+// where a wedge meets a ring has a bound: the slope z / s, seen from the eye, that no ground in it
+// exceeds. A ray steeper than the bound is above the ground all through the sector; it need only be
+// compared with the cells of sectors whose bound reaches it. Neighbouring pixels share wedges, so
+// what is found once serves them all: vertical coherence (Coquillart 1984, chapter 2, 4) for any
+// camera, and for any set of rays from the eye.
+//
+// Rings are a few cells wide and wedges about a pixel or a few, so that 2 x 2 blocks of one level
+// of HeightCeilings cover a sector. Bounds are floats, rounded up; sectors are widened by more than
+// the rounding of a ray's track.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "terrain/height_ceilings.h"
+#include "terrain/terrain.h"
+
+namespace terrview {
+
+class EyeFront {
+ public:
+  static constexpr int kGroup = 16;        // wedges made at a time
+  static constexpr int kStride = 8;        // rings a step of the coarse search
+  static constexpr int kStartBins = 2048;  // of slopes, by slope / (1 + |slope|) from -1 to 1
+
+  // Whether a front can be made: one layer under an affine map, the hyperboloid surface, and a
+  // reach under 640 km.
+  [[nodiscard]] static bool serves(const Terrain& terrain);
+
+  // Wedges are `wedge_rad` wide at most. Holds references to its arguments.
+  EyeFront(const Terrain& terrain, const HeightCeilings& ceilings, double wedge_rad);
+
+  // Makes the bounds of the wedges of `group`, if nobody has. Any thread may call.
+  void make(int group) const;
+
+  [[nodiscard]] const Terrain& terrain() const { return terrain_; }
+
+  // Wedges lie on the sides of a square about the eye: wedge k of side 0 (north) looks along (c, 1)
+  // with c from -1 + 2 k / n to -1 + 2 (k + 1) / n, of n wedges a side; those of sides 1, 2 and 3
+  // along (1, c), (c, -1) and (-1, c). Wedge k of side i has the number i n + k.
+  [[nodiscard]] int wedges_a_side() const { return wedges_a_side_; }
+
+  // Ring i lies between ring_m()[i] and ring_m()[i + 1]; the first begins at the eye.
+  [[nodiscard]] std::span<const double> ring_m() const { return ring_m_; }
+  [[nodiscard]] int rings() const { return static_cast<int>(levels_.size()); }
+  // How much nearer a sector begins than its ring.
+  [[nodiscard]] double margin_m() const { return margin_m_; }
+
+  // The bound of a ring in a wedge is at (group * (rings + 1) + ring) * kGroup + wedge % kGroup.
+  // That of the ring past the last is infinite.
+  [[nodiscard]] const float* bounds() const { return bounds_.get(); }
+  // The highest bound of the kStride rings from kStride i on, laid out alike by i.
+  [[nodiscard]] const float* coarse_bounds() const { return coarse_bounds_.get(); }
+  [[nodiscard]] int coarse_rings() const { return rings() / kStride + 1; }
+  // The first ring that rays of a bin of slopes need look at: at wedge * kStartBins + bin. The
+  // number of rings where there is none.
+  [[nodiscard]] const std::int32_t* starts() const { return starts_.get(); }
+
+  // The bin of a slope; continuous, before rounding down.
+  [[nodiscard]] static double start_bin(double slope) {
+    return (slope / (1 + (slope < 0 ? -slope : slope)) + 1) * (kStartBins / 2);
+  }
+
+ private:
+  void lay_rings(double wedge_rad);
+  void make_coarse_bounds(int group) const;
+  void make_starts(int group) const;
+
+  const Terrain& terrain_;
+  const HeightCeilings& ceilings_;
+  int wedges_a_side_;
+  double margin_m_ = 0;
+  std::vector<double> ring_m_;
+  std::vector<int> levels_;  // by ring: of the blocks that cover its sectors
+  // Of every wedge around the eye, but only pages of those that are made are ever touched.
+  std::unique_ptr<float[]> bounds_;
+  std::unique_ptr<float[]> coarse_bounds_;
+  std::unique_ptr<std::int32_t[]> starts_;
+  std::unique_ptr<std::once_flag[]> made_;
+};
+
+}  // namespace terrview

@@ -1,0 +1,51 @@
+// Rays from the eye, many at a time, in any directions.
+//
+// A view's EyeFront says at which cells a ray need look; these are compared with it in the lanes of
+// a vector, in double precision and with the arithmetic of the single ray, so the hits are the same
+// to the bit under every instruction set. What the lanes cannot settle (vertical rays, rays that
+// enter the grid from outside or come over the edge of a hole) goes to the single ray's tracer.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "terrain/eye_front.h"
+#include "terrain/ray.h"
+
+namespace terrview {
+
+// Up to kMost rays: their directions in, their hits out.
+struct EyeRays {
+  static constexpr std::size_t kMost = 256;
+  using Values = std::array<double, kMost>;
+
+  std::size_t count = 0;
+  // Directions, view frame, of any length but 0.
+  alignas(64) Values direction_x, direction_y, direction_z;
+
+  // The ground lines' directions (unit length), and the rays' slopes dz / dg.
+  alignas(64) Values x, y, slope;
+  // Hits: the distance along the ground line, negative where nothing is hit (of a vertical ray,
+  // whose slope is infinite, the distance down); the grid coordinates, and the cell.
+  alignas(64) Values ground_m, u, v, column, row;
+
+  // Of the tracks: posts per metre, and the inverse.
+  alignas(64) Values rate_u, rate_v, metres_u, metres_v;
+  alignas(64) std::array<std::int32_t, kMost> wedge;
+
+  [[nodiscard]] bool is_hit(std::size_t i) const { return ground_m[i] >= 0; }
+  // The Hit that Terrain::first_hit() gives. Only where is_hit().
+  [[nodiscard]] Hit hit(std::size_t i) const;
+};
+
+// Finds the hits of `rays`. Any thread may call, with rays of its own. Adds to `counts`.
+void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts);
+
+// The unit normals of the facets hit, as Terrain::facet_normal() gives them.
+struct EyeNormals {
+  alignas(64) EyeRays::Values x, y, z;
+};
+void facet_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals);
+
+}  // namespace terrview

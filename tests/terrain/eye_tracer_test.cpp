@@ -1,0 +1,135 @@
+#include "terrain/eye_tracer.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/judge.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/scenes.h"
+
+namespace terrview {
+namespace {
+
+// Directions all around; in bundles near to each other, as those of an image are; and vertical.
+std::vector<glm::dvec3> random_directions(Random& random, const Terrain& terrain,
+                                          Position position) {
+  std::vector<glm::dvec3> directions;
+  while (directions.size() < 200) {
+    const glm::dvec3 direction = random_ray(random, terrain, position).direction;
+    directions.push_back(direction);
+    const double spread = glm::length(direction) * random.log_uniform(1e-9, 0.1);
+    for (int i = random.integer(0, 30); i > 0; --i) {
+      const glm::dvec3 shift(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      directions.push_back(direction + spread * shift);
+    }
+    if (random.chance(0.1)) directions.emplace_back(0, 0, random.sign());
+  }
+  return directions;
+}
+
+// Hits, all equal to those of single rays.
+int expect_hits_of_single_rays(const EyeFront& front, const std::vector<glm::dvec3>& directions) {
+  const auto rays = std::make_unique<EyeRays>();
+  int met = 0;
+  for (std::size_t first = 0; first < directions.size(); first += EyeRays::kMost) {
+    rays->count = std::min(EyeRays::kMost, directions.size() - first);
+    for (std::size_t i = 0; i < rays->count; ++i) {
+      rays->direction_x[i] = directions[first + i].x;
+      rays->direction_y[i] = directions[first + i].y;
+      rays->direction_z[i] = directions[first + i].z;
+    }
+    TraceCounts counts;
+    trace(front, *rays, counts);
+    const auto normals = std::make_unique<EyeNormals>();
+    facet_normals(front.terrain(), *rays, *normals);
+    for (std::size_t i = 0; i < rays->count; ++i) {
+      const Ray ray{.direction = directions[first + i]};
+      const auto expected = front.terrain().first_hit(ray);
+      EXPECT_EQ(rays->is_hit(i), expected.has_value()) << oracle::to_string(ray);
+      if (!expected || !rays->is_hit(i)) continue;
+      const Hit hit = rays->hit(i);
+      EXPECT_EQ(hit.distance_m, expected->distance_m) << oracle::to_string(ray);
+      EXPECT_EQ(hit.position_m, expected->position_m) << oracle::to_string(ray);
+      EXPECT_EQ(hit.uv, expected->uv) << oracle::to_string(ray);
+      EXPECT_EQ(hit.cell, expected->cell) << oracle::to_string(ray);
+      EXPECT_EQ(hit.grid, expected->grid);
+      const glm::dvec3 normal(normals->x[i], normals->y[i], normals->z[i]);
+      EXPECT_EQ(normal, front.terrain().facet_normal(hit));
+      ++met;
+    }
+  }
+  return met;
+}
+
+template <class MakeTerrain>
+void expect_same_bits(std::uint64_t seed, Position position, const MakeTerrain& make) {
+  Random random(seed);
+  int met = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Terrain terrain = make(random);
+    if (!EyeFront::serves(terrain)) continue;
+    const HeightCeilings ceilings(*terrain.layers()[0].grid);
+    const EyeFront front(terrain, ceilings, random.log_uniform(1e-3, 1));
+    met += expect_hits_of_single_rays(front, random_directions(random, terrain, position));
+    ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << ", terrain " << i;
+  }
+  EXPECT_GT(met, 5000);
+}
+
+TEST(TraceEyeRays, HasTheHitsOfSingleRaysBitForBit) {
+  expect_same_bits(1, Position::general, [](Random& random) {
+    return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+  });
+}
+
+TEST(TraceEyeRays, HasThemThroughPostsAndAlongLines) {
+  expect_same_bits(2, Position::special, [](Random& random) {
+    return random_terrain(random, SurfaceModel::hyperboloid, Position::special);
+  });
+}
+
+TEST(TraceEyeRays, HasThemUnderEveryInstructionSet) {
+  std::int64_t targets = hwy::SupportedTargets();
+  for (; targets != 0; targets &= targets - 1) {
+    hwy::SetSupportedTargetsForTest(targets & -targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    expect_same_bits(5, Position::general, [](Random& random) {
+      return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+    });
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+// A picture's worth of rays over natural ground looks at few cells.
+TEST(TraceEyeRays, LooksAtFewCells) {
+  const Terrain terrain = make_terrain(
+      make_grid(200, 200, [](int c, int r) { return 50 * std::sin(c * 0.3 + r * 0.2); }),
+      {.eye_uv = {100.3, 100.4}, .spacing_m = {30, 30}, .eye_height_m = 200},
+      SurfaceModel::hyperboloid);
+  const HeightCeilings ceilings(*terrain.layers()[0].grid);
+  const EyeFront front(terrain, ceilings, 0.002);
+  const auto rays = std::make_unique<EyeRays>();
+  TraceCounts counts;
+  for (int row = 0; row < 100; ++row) {
+    rays->count = 200;
+    for (int i = 0; i < 200; ++i) {
+      const auto j = static_cast<std::size_t>(i);
+      rays->direction_x[j] = 0.004 * (i - 100);
+      rays->direction_y[j] = 1;
+      rays->direction_z[j] = -0.002 * (row + 1);
+    }
+    trace(front, *rays, counts);
+  }
+  EXPECT_LE(counts.tests, 3 * 200 * 100);
+}
+
+}  // namespace
+}  // namespace terrview
