@@ -117,6 +117,7 @@ class EyeLoop {
   }
 
   std::int64_t run() {
+    for (std::size_t i = 0; i < rays_.count; i += hn::Lanes(D())) place(i);
     for (std::size_t i = 0; i < rays_.count; i += hn::Lanes(D())) start(i);
     while (waiting_.count > 0) {
       const RayQueue queue = waiting_;
@@ -198,39 +199,66 @@ class EyeLoop {
     return group * of(1.0 * rings * kGroup) + (wedge - group * of(kGroup));
   }
 
-  // Rays first, first + 1, ... from the start.
-  HWY_INLINE void start(std::size_t first) {
-    const std::uint32_t lanes =
-        (1U << std::min(hn::Lanes(D()), rays_.count - first)) - 1;
-    Walk w;
-    w.r = registers(load(rays_.x, first), load(rays_.y, first), load(rays_.slope, first),
-                    load(rays_.rate_u, first), load(rays_.rate_v, first),
-                    load(rays_.metres_u, first), load(rays_.metres_v, first));
-    hn::Store(hn::Iota(D(), static_cast<double>(first)), D(), w.index.data());
+  // Finds the first cells of rays first, first + 1, ...
+  HWY_INLINE void place(std::size_t first) {
+    const std::uint32_t lanes = (1U << std::min(hn::Lanes(D()), rays_.count - first)) - 1;
     save(rays_.ground_m, first, of(-1));
-    const V height = hn::Abs(load(rays_.direction_z, first));
-    // As Terrain::first_hit() tells vertical rays from others; NaN too.
-    const V run = hn::Sqrt(load(rays_.direction_x, first) * load(rays_.direction_x, first) +
-                           load(rays_.direction_y, first) * load(rays_.direction_y, first));
-    const std::uint32_t steep = bits_of(hn::Not(run >= of(1e-12) * height)) & lanes;
-    rescue(w, steep | (bits_of(run == of(0)) & lanes));
-    w.active = lanes & ~steep & ~bits_of(run == of(0));
+    const V rise = hn::Abs(load(rays_.direction_z, first));
+    const V across_x = load(rays_.direction_x, first);
+    const V across_y = load(rays_.direction_y, first);
+    const V run2 = across_x * across_x + across_y * across_y;
+    // As is_vertical(), but for rounding: those near it go the sure way. NaN too.
+    const M slanted = run2 > of(4e-24) * rise * rise;
 
-    const V slope = w.r.slope;
+    const V slope = load(rays_.slope, first);
     const V bin = hn::Floor((slope / (of(1) + hn::Abs(slope)) + of(1)) *
                             of(EyeFront::kStartBins / 2));
     const V wedge = hn::PromoteTo(D(), hn::LoadU(Ints(), rays_.wedge.data() + first));
     const V at = wedge * of(EyeFront::kStartBins) +
                  hn::IfThenElseZero(bin >= of(0), hn::Min(bin, of(EyeFront::kStartBins - 1)));
-    w.ring = hn::PromoteTo(
-        D(), hn::GatherIndex(Ints(), front_.starts(), hn::DemoteTo(Ints(), at)));
-    w.active &= bits_of(w.ring < of(rings_));
-    w.wedge_base = wedge_base(wedge, rings_ + 1);
-    find_ring(w, wedge, w.active);
+    V ring = hn::PromoteTo(D(),
+                           hn::GatherIndex(Ints(), front_.starts(), hn::DemoteTo(Ints(), at)));
+    const V base = wedge_base(wedge, rings_ + 1);
+    // The bin's first ring may be one or two too near.
+    for (int i = 0; i < 2; ++i)
+      ring = ring + hn::IfThenElseZero(bound(base, ring) < slope, of(1));
+    const M reached = bound(base, ring) >= slope;
+    const M missed = ring >= of(rings_);
+
+    Registers r = registers(of(0), of(0), slope, load(rays_.rate_u, first),
+                            load(rays_.rate_v, first), of(0), of(0));
+    ring = hn::Min(ring, of(rings_ - 1));
+    const M seated = seat(r, ring);
+    save(ring_, first, ring);
+    save(rays_.column, first, r.column);
+    save(rays_.row, first, r.row);
+
+    const std::uint32_t live = lanes & ~bits_of(missed);
+    const std::uint32_t lost = live & ~(bits_of(slanted) & (bits_of(seated) | ~bits_of(reached)));
+    for (std::uint32_t left = lanes & (~bits_of(slanted) | lost); left != 0; left &= left - 1)
+      rescues_.rays[rescues_.count++] = static_cast<std::int32_t>(first) + __builtin_ctz(left);
+    const std::uint32_t ready = live & ~lost;
+    ready_[first / hn::Lanes(D())] = static_cast<std::uint8_t>(ready & bits_of(reached));
+    for (std::uint32_t left = ready & ~bits_of(reached); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctz(left)) + first;
+      waiting_.push({static_cast<std::int32_t>(i), static_cast<std::int32_t>(ring_[i]), -1, -1});
+    }
+  }
+
+  // The first crossings of rays first, first + 1, ...
+  HWY_INLINE void start(std::size_t first) {
+    Walk w;
+    w.active = ready_[first / hn::Lanes(D())];
     if (w.active == 0) return;
-    const std::uint32_t seated = bits_of(seat(w.r, w.ring));
-    rescue(w, w.active & ~seated);
-    w.active &= seated;
+    w.r = registers(load(rays_.x, first), load(rays_.y, first), load(rays_.slope, first),
+                    load(rays_.rate_u, first), load(rays_.rate_v, first),
+                    load(rays_.metres_u, first), load(rays_.metres_v, first));
+    w.r.column = load(rays_.column, first);
+    w.r.row = load(rays_.row, first);
+    hn::Store(hn::Iota(D(), static_cast<double>(first)), D(), w.index.data());
+    w.ring = load(ring_, first);
+    w.wedge_base =
+        wedge_base(hn::PromoteTo(D(), hn::LoadU(Ints(), rays_.wedge.data() + first)), rings_ + 1);
     walk<true>(w, first, false);
   }
 
@@ -414,6 +442,8 @@ class EyeLoop {
   double eye_row_ = -2;
   double eye_z_ = 0;
   RayQueue waiting_;
+  alignas(64) EyeRays::Values ring_;
+  std::array<std::uint8_t, EyeRays::kMost> ready_;
   std::int64_t tests_ = 0;
 };
 
