@@ -120,7 +120,7 @@ Contender by_front(const BenchDem& dem) {
         terrain_of(dem, view, SurfaceModel::hyperboloid, Search::pyramid));
     tracer.primary = [terrain, ceilings, &view](int threads, TracedFrame& frame) {
         static const double px = getenv("WPX") ? atof(getenv("WPX")) : 4.0;
-        const EyeFront front(*terrain, *ceilings, px * view.camera.options().fov_rad / view.camera.options().size_px.x);
+        const EyeFront front(*terrain, *ceilings, EyeFrontOptions{.wedge_rad = px * view.camera.options().fov_rad / view.camera.options().size_px.x});
         return trace_blocks(front, view.camera, threads, frame);
       };
     tracer.shadow = {};

@@ -42,7 +42,7 @@ struct SectorRing {
   double near_m;
   double far_m;
   int level;
-  const HeightCeilings::Level* blocks;
+  const HeightCeilings::Level* blocks;  // null at level 0: cells are looked up themselves
 };
 
 }  // namespace terrview
@@ -56,6 +56,7 @@ class SectorBounds {
  public:
   SectorBounds(const Terrain& terrain, const WedgeEdges& edges)
       : frame_(terrain.frame()),
+        posts_(*terrain.layers()[0].grid),
         flat_(terrain.frame().north_curvature_per_m == 0 &&
               terrain.frame().east_curvature_per_m == 0),
         eye_uv_(terrain.layers()[0].map->to_grid({0, 0})),
@@ -111,6 +112,7 @@ class SectorBounds {
                             hn::Load(D(), edges_.high_v.data() + first), eye_uv_.y, last_cell_.y,
                             outside_v);
     outside = hn::Or(outside_u, outside_v);
+    if (ring.level == 0) return highest_of_cells(u, v);
     const V columns = of(ring.blocks->columns);
     const auto block = [&](V column, V row) HWY_ATTR {
       const hn::Rebind<float, D> floats;
@@ -121,6 +123,16 @@ class SectorBounds {
     const auto north = hn::Max(block(u.first, v.first), block(u.last, v.first));
     const auto south = hn::Max(block(u.first, v.last), block(u.last, v.last));
     return hn::PromoteTo(D(), hn::Max(north, south));
+  }
+
+  HWY_INLINE V highest_of_cells(const Blocks& u, const Blocks& v) const {
+    V highest = of(-std::numeric_limits<double>::infinity());
+    for (const V row : {v.first, v.first + of(1), v.last + of(1)})
+      for (const V column : {u.first, u.first + of(1), u.last + of(1)}) {
+        const V post = posts_.at(row * of(last_cell_.x + 2) + column);
+        highest = hn::IfThenElse(post > highest, post, highest);
+      }
+    return highest;
   }
 
   // The highest z over the sector. Along an edge z is monotonic in the distance, or bends by less
@@ -139,6 +151,7 @@ class SectorBounds {
   }
 
   VectorFrame frame_;
+  VectorPosts posts_;
   bool flat_;
   glm::dvec2 eye_uv_;
   glm::dvec2 last_cell_;
@@ -147,16 +160,27 @@ class SectorBounds {
   const WedgeEdges& edges_;
 };
 
-// bounds[kGroup * i + j]: those of ring i and wedge j.
-void make_bounds(const Terrain& terrain, const WedgeEdges& edges, std::span<const SectorRing> rings,
-                 float* bounds) {
+// bounds[kGroup * i + j]: those of ring i and wedge j, of the rings before all wedges have met a
+// bound above `highest_slope`. Returns how many rings these are.
+std::size_t make_bounds(const Terrain& terrain, const WedgeEdges& edges,
+                        std::span<const SectorRing> rings, double highest_slope, float* bounds) {
   const SectorBounds sectors(terrain, edges);
   const hn::Rebind<float, D> floats;
-  for (const SectorRing& ring : rings) {
-    for (std::size_t first = 0; first < EyeFront::kGroup; first += hn::Lanes(D()))
-      hn::StoreU(hn::DemoteTo(floats, sectors.at(ring, first)), floats, bounds + first);
-    bounds += EyeFront::kGroup;
+  const std::size_t lanes = hn::Lanes(D());
+  std::array<V, EyeFront::kGroup> highest;  // of which kGroup / lanes are used
+  std::fill(highest.begin(), highest.end(), of(-std::numeric_limits<double>::infinity()));
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    M closed = of(0) == of(0);
+    for (std::size_t first = 0; first < EyeFront::kGroup; first += lanes) {
+      const V bound = sectors.at(rings[i], first);
+      hn::StoreU(hn::DemoteTo(floats, bound), floats, bounds + i * EyeFront::kGroup + first);
+      V& so_far = highest[first / lanes];
+      so_far = hn::Max(so_far, bound);
+      closed = hn::And(closed, so_far > of(highest_slope));
+    }
+    if (hn::AllTrue(D(), closed)) return i + 1;
   }
+  return rings.size();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -225,6 +249,30 @@ int wedges_a_side(double wedge_rad) {
   return kStep * static_cast<int>(std::ceil(std::clamp(2 / wedge_rad, 1.0, 1.0 * kMost) / kStep));
 }
 
+// The bin of a slope; continuous, before rounding down.
+double start_bin(double slope) {
+  return (slope / (1 + std::abs(slope)) + 1) * (EyeFront::kStartBins / 2);
+}
+
+int bin_of(double slope) {
+  if (std::isinf(slope)) return slope < 0 ? 0 : EyeFront::kStartBins - 1;
+  return std::min(static_cast<int>(start_bin(slope)), EyeFront::kStartBins - 1);
+}
+
+// Bin b holds the slopes from kBinSlopes[b] up; the inverse of the steepest of them, which meets the
+// ground first.
+const std::array<float, EyeFront::kStartBins>& inverse_bin_slopes() {
+  static const auto inverses = [] {
+    std::array<float, EyeFront::kStartBins> values{};
+    for (std::size_t bin = 0; bin < values.size(); ++bin) {
+      const double q = static_cast<double>(bin) / (EyeFront::kStartBins / 2) - 1;
+      values[bin] = static_cast<float>((1 - std::abs(q)) / q);
+    }
+    return values;
+  }();
+  return inverses;
+}
+
 }  // namespace
 
 bool EyeFront::serves(const Terrain& terrain) {
@@ -238,28 +286,35 @@ bool EyeFront::serves(const Terrain& terrain) {
          static_cast<double>(layer.grid->columns) * layer.grid->rows < kMostPosts;
 }
 
-EyeFront::EyeFront(const Terrain& terrain, const HeightCeilings& ceilings, double wedge_rad)
-    : terrain_(terrain), ceilings_(ceilings), wedges_a_side_(terrview::wedges_a_side(wedge_rad)) {
+EyeFront::EyeFront(const Terrain& terrain, const HeightCeilings& ceilings,
+                   const EyeFrontOptions& options)
+    : terrain_(terrain),
+      ceilings_(ceilings),
+      wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
+      highest_slope_(static_cast<float>(options.highest_slope)),
+      first_bin_(bin_of(options.lowest_slope)),
+      last_bin_(bin_of(options.highest_slope)) {
   lay_rings(2.0 / wedges_a_side_);
+  index_rings();
   const auto wedges = static_cast<std::size_t>(4 * wedges_a_side_);
   const auto ring_count = static_cast<std::size_t>(rings());
   bounds_ = std::make_unique_for_overwrite<float[]>(wedges * (ring_count + 1));
   coarse_bounds_ = std::make_unique_for_overwrite<float[]>(
       wedges * static_cast<std::size_t>(coarse_rings()));
-  starts_ = std::make_unique_for_overwrite<std::int32_t[]>(wedges * kStartBins);
+  starts_m_ = std::make_unique_for_overwrite<float[]>(wedges * kStartBins);
   made_ = std::make_unique<std::once_flag[]>(wedges / kGroup);
 }
 
 void EyeFront::lay_rings(double wedge_rad) {
   // Of the 2^level cells that a sector's box may take up, what the margins leave.
-  constexpr double kFill = 0.95;
+  constexpr double kFill = 0.94;
   // A sector may be this much wider than deep before the next level serves it better.
   constexpr double kWidest = 0.6;
   const double per_metre = posts_per_metre(*terrain_.layers()[0].map->linear());
   const double reach_m = terrain_.reach_m();
   margin_m_ = kSectorMargin_cells / per_metre / 2;
   ring_m_.push_back(0);
-  int level = 1;
+  int level = 0;
   while (ring_m_.back() < reach_m) {
     const double near_m = ring_m_.back();
     const double box_m = kFill * std::ldexp(1.0, level) / per_metre;
@@ -275,17 +330,42 @@ void EyeFront::lay_rings(double wedge_rad) {
   }
 }
 
+void EyeFront::index_rings() {
+  step_m_ = ring_m_.back();
+  for (std::size_t i = 1; i < ring_m_.size(); ++i)
+    step_m_ = std::min(step_m_, ring_m_[i] - ring_m_[i - 1]);
+  int ring = 0;
+  const auto steps = static_cast<std::size_t>(ring_m_.back() / step_m_) + 1;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double at_m = static_cast<double>(i) * step_m_;
+    while (ring + 1 < rings() && ring_m_[static_cast<std::size_t>(ring) + 1] <= at_m) ++ring;
+    ring_at_step_.push_back(ring);
+  }
+}
+
+int EyeFront::ring_of(double distance_m) const {
+  const auto step =
+      std::min(static_cast<std::size_t>(distance_m / step_m_), ring_at_step_.size() - 1);
+  int ring = ring_at_step_[step];
+  while (ring + 1 < rings() && ring_m_[static_cast<std::size_t>(ring) + 1] <= distance_m) ++ring;
+  return ring;
+}
+
 void EyeFront::make(int group) const {
   std::call_once(made_[static_cast<std::size_t>(group)], [&] {
     const WedgeEdges edges =
         edges_of(group, wedges_a_side_, *terrain_.layers()[0].map->linear());
     std::vector<SectorRing> rings;
     for (std::size_t i = 0; i < levels_.size(); ++i)
-      rings.push_back({ring_m_[i], ring_m_[i + 1], levels_[i], &ceilings_.level(levels_[i])});
+      rings.push_back({ring_m_[i], ring_m_[i + 1], levels_[i],
+                       levels_[i] == 0 ? nullptr : &ceilings_.level(levels_[i])});
     const std::size_t stride = (rings.size() + 1) * kGroup;
     float* bounds = bounds_.get() + static_cast<std::size_t>(group) * stride;
-    HWY_DYNAMIC_DISPATCH(make_bounds)(terrain_, edges, rings, bounds);
-    std::fill_n(bounds + rings.size() * kGroup, kGroup, std::numeric_limits<float>::infinity());
+    const std::size_t made = HWY_DYNAMIC_DISPATCH(make_bounds)(terrain_, edges, rings,
+                                                               highest_slope_, bounds);
+    // A ray that comes so far, seldom, looks at every cell from there on.
+    std::fill_n(bounds + made * kGroup, (rings.size() + 1 - made) * kGroup,
+                std::numeric_limits<float>::infinity());
     make_coarse_bounds(group);
     make_starts(group);
   });
@@ -307,21 +387,38 @@ void EyeFront::make_coarse_bounds(int group) const {
 void EyeFront::make_starts(int group) const {
   // Above the rounding with which a ray finds its bin.
   constexpr double kBinMargin = 1e-9;
+  // Above that of the floats.
+  constexpr float kShrink = 1 - 0x1p-20F;
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  const auto& inverse_slopes = inverse_bin_slopes();
   const auto count = static_cast<std::size_t>(rings()) + 1;
+  const auto margin_m = static_cast<float>(margin_m_);
   const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * count * kGroup;
   for (std::size_t i = 0; i < kGroup; ++i) {
-    std::int32_t* starts =
-        starts_.get() + (static_cast<std::size_t>(group) * kGroup + i) * kStartBins;
-    float highest = -std::numeric_limits<float>::infinity();
-    int filled = 0;
-    for (std::size_t ring = 0; ring < count && filled < kStartBins; ++ring) {
+    float* starts_m =
+        starts_m_.get() + (static_cast<std::size_t>(group) * kGroup + i) * kStartBins;
+    float highest = -kNever;
+    int filled = first_bin_;
+    for (std::size_t ring = 0; ring < count && filled <= last_bin_; ++ring) {
       const float bound = bounds[ring * kGroup + i];
       if (bound <= highest) continue;
       highest = bound;
       const double bin = std::isinf(bound) ? kStartBins : start_bin(bound) + kBinMargin;
-      const int last = std::min(static_cast<int>(bin), kStartBins - 1);
-      for (; filled <= last; ++filled) starts[filled] = static_cast<std::int32_t>(ring);
+      const int end = std::min(static_cast<int>(bin), last_bin_) + 1;
+      const bool none = ring == count - 1;
+      const float near_m =
+          none ? kNever
+               : static_cast<float>(std::max(0.0, ring_m_[ring] - margin_m_)) * kShrink;
+      // Below the horizon no ground of the ring is above `bound` times its far end: a ray comes
+      // down to that height later than to the ring.
+      const float depth_m =
+          none || bound >= 0 ? 0 : static_cast<float>(ring_m_[ring + 1]) * bound * kShrink;
+      for (; filled < end; ++filled) {
+        const float down_m = depth_m * inverse_slopes[static_cast<std::size_t>(filled)];
+        starts_m[filled] = std::max(near_m, down_m * kShrink - margin_m);
+      }
     }
+    starts_m[first_bin_] = 0;
   }
 }
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -23,18 +24,25 @@
 
 namespace terrview {
 
+struct EyeFrontOptions {
+  double wedge_rad = 0.002;  // wedges are this wide at most
+  // What the slopes of most rays lie between. Others are traced as exactly, but not as fast.
+  double lowest_slope = -std::numeric_limits<double>::infinity();
+  double highest_slope = std::numeric_limits<double>::infinity();
+};
+
 class EyeFront {
  public:
   static constexpr int kGroup = 16;        // wedges made at a time
   static constexpr int kStride = 8;        // rings a step of the coarse search
-  static constexpr int kStartBins = 2048;  // of slopes, by slope / (1 + |slope|) from -1 to 1
+  static constexpr int kStartBins = 4096;  // of slopes, by slope / (1 + |slope|) from -1 to 1
 
   // Whether a front can be made: one layer under an affine map, the hyperboloid surface, and a
   // reach under 640 km.
   [[nodiscard]] static bool serves(const Terrain& terrain);
 
-  // Wedges are `wedge_rad` wide at most. Holds references to its arguments.
-  EyeFront(const Terrain& terrain, const HeightCeilings& ceilings, double wedge_rad);
+  // Holds references to `terrain` and `ceilings`.
+  EyeFront(const Terrain& terrain, const HeightCeilings& ceilings, const EyeFrontOptions& options);
 
   // Makes the bounds of the wedges of `group`, if nobody has. Any thread may call.
   void make(int group) const;
@@ -58,17 +66,19 @@ class EyeFront {
   // The highest bound of the kStride rings from kStride i on, laid out alike by i.
   [[nodiscard]] const float* coarse_bounds() const { return coarse_bounds_.get(); }
   [[nodiscard]] int coarse_rings() const { return rings() / kStride + 1; }
-  // The first ring that rays of a bin of slopes need look at: at wedge * kStartBins + bin. The
-  // number of rings where there is none.
-  [[nodiscard]] const std::int32_t* starts() const { return starts_.get(); }
+  // Where rays of a bin of slopes may first meet the ground: at wedge * kStartBins + bin, for bins
+  // from first_bin() to last_bin(), which stand for all below and above them. Infinity where they
+  // meet none.
+  [[nodiscard]] const float* starts_m() const { return starts_m_.get(); }
+  [[nodiscard]] int first_bin() const { return first_bin_; }
+  [[nodiscard]] int last_bin() const { return last_bin_; }
 
-  // The bin of a slope; continuous, before rounding down.
-  [[nodiscard]] static double start_bin(double slope) {
-    return (slope / (1 + (slope < 0 ? -slope : slope)) + 1) * (kStartBins / 2);
-  }
+  // The ring in which a distance lies.
+  [[nodiscard]] int ring_of(double distance_m) const;
 
  private:
   void lay_rings(double wedge_rad);
+  void index_rings();
   void make_coarse_bounds(int group) const;
   void make_starts(int group) const;
 
@@ -77,11 +87,16 @@ class EyeFront {
   int wedges_a_side_;
   double margin_m_ = 0;
   std::vector<double> ring_m_;
-  std::vector<int> levels_;  // by ring: of the blocks that cover its sectors
+  std::vector<int> levels_;           // by ring: of the blocks that cover its sectors
+  std::vector<int> ring_at_step_;     // the ring that a multiple of step_m_ lies in
+  double step_m_ = 0;                 // the narrowest ring
+  float highest_slope_;
+  int first_bin_;
+  int last_bin_;
   // Of every wedge around the eye, but only pages of those that are made are ever touched.
   std::unique_ptr<float[]> bounds_;
   std::unique_ptr<float[]> coarse_bounds_;
-  std::unique_ptr<std::int32_t[]> starts_;
+  std::unique_ptr<float[]> starts_m_;
   std::unique_ptr<std::once_flag[]> made_;
 };
 

@@ -20,19 +20,24 @@
 #define TERRVIEW_TERRAIN_EYE_TRACER_ONCE
 namespace terrview {
 
-// Rays that wait for free lanes.
-struct WaitingRay {
-  std::int32_t index;
-  std::int32_t ring;
-  std::int32_t column;  // of the cell to go on from; negative: the start of the ring
-  std::int32_t row;
-};
+// Rays on their way, packed: what a step needs of each.
+struct alignas(64) RaySet {
+  using Values = EyeRays::Values;
 
-struct RayQueue {
-  std::array<WaitingRay, EyeRays::kMost> rays;
   std::size_t count = 0;
+  alignas(64) Values index;  // of the ray in EyeRays
+  alignas(64) Values x, y, slope, rate_u, rate_v, metres_u, metres_v;
+  alignas(64) Values start;  // its place in EyeFront's starts
+  // Where the walk stands.
+  alignas(64) Values column, row, g, u, v, z;
+  // By vector: the lanes that walk.
+  std::array<std::uint8_t, EyeRays::kMost> walking;
 
-  void push(const WaitingRay& ray) { rays[count++] = ray; }
+  void move(std::size_t from, std::size_t to) {
+    for (Values* values : {&index, &x, &y, &slope, &rate_u, &rate_v, &metres_u, &metres_v, &start,
+                           &column, &row, &g, &u, &v, &z})
+      (*values)[to] = (*values)[from];
+  }
 };
 
 // Rays for the single ray's tracer.
@@ -58,9 +63,9 @@ HWY_INLINE void save(EyeRays::Values& values, std::size_t first, V value) {
   hn::Store(value, D(), values.data() + first);
 }
 
-// Ground lines, slopes, tracks and wedges, as ground_line(), ray_slope() and track_piece() find
-// them.
-void prepare_rays(const EyeFront& front, EyeRays& rays) {
+// Ground lines, slopes and tracks, as ground_line(), ray_slope() and track_piece() find them; and
+// the places in the front's starts.
+void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
   const glm::dmat2 jacobian = *front.terrain().layers()[0].map->linear();
   const int a_side = front.wedges_a_side();
   const auto track = [&](int axis, V x, V y, EyeRays::Values& rates, EyeRays::Values& metres,
@@ -71,17 +76,23 @@ void prepare_rays(const EyeFront& front, EyeRays& rays) {
     save(rates, i, hn::IfThenElseZero(finite, rate));
     save(metres, i, hn::IfThenElseZero(finite, inverse));
   };
+  set.count = rays.count;
   for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
     const V across_x = load(rays.direction_x, i);
     const V across_y = load(rays.direction_y, i);
     const V length = hn::Sqrt(across_x * across_x + across_y * across_y);
     const V x = across_x / length;
     const V y = across_y / length;
+    const V slope = load(rays.direction_z, i) / length;
     save(rays.x, i, x);
     save(rays.y, i, y);
-    save(rays.slope, i, load(rays.direction_z, i) / length);
-    track(0, x, y, rays.rate_u, rays.metres_u, i);
-    track(1, x, y, rays.rate_v, rays.metres_v, i);
+    save(rays.slope, i, slope);
+    save(set.index, i, hn::Iota(D(), static_cast<double>(i)));
+    save(set.x, i, x);
+    save(set.y, i, y);
+    save(set.slope, i, slope);
+    track(0, x, y, set.rate_u, set.metres_u, i);
+    track(1, x, y, set.rate_v, set.metres_v, i);
 
     const V far_x = hn::Abs(across_x);
     const V far_y = hn::Abs(across_y);
@@ -90,19 +101,26 @@ void prepare_rays(const EyeFront& front, EyeRays& rays) {
     const V side =
         hn::IfThenElse(along_y, hn::IfThenElse(across_y > of(0), of(0), of(2 * a_side)),
                        hn::IfThenElse(across_x > of(0), of(a_side), of(3 * a_side)));
-    // A vertical ray's NaN becomes wedge 0.
-    const V place = hn::Max(hn::Floor((c + of(1)) * of(0.5 * a_side)), of(0));
-    const V wedge = side + hn::Min(place, of(a_side - 1));
-    hn::StoreU(hn::DemoteTo(Ints(), wedge), Ints(), rays.wedge.data() + i);
+    // A vertical ray's NaN becomes wedge 0, bin 0.
+    const V place = hn::Floor((c + of(1)) * of(0.5 * a_side));
+    const V wedge = side + hn::IfThenElseZero(place >= of(0), hn::Min(place, of(a_side - 1)));
+    const V bin = hn::Floor((slope / (of(1) + hn::Abs(slope)) + of(1)) *
+                            of(EyeFront::kStartBins / 2));
+    const V first_bin = of(front.first_bin());
+    const M known = bin >= first_bin;
+    save(set.start, i,
+         wedge * of(EyeFront::kStartBins) +
+             hn::IfThenElse(known, hn::Min(bin, of(front.last_bin())), first_bin));
   }
 }
 
 class EyeLoop {
  public:
-  EyeLoop(const EyeFront& front, EyeRays& rays, RescueList& rescues)
+  EyeLoop(const EyeFront& front, EyeRays& rays, RaySet& set, RescueList& rescues)
       : front_(front),
         grid_(front.terrain()),
         rays_(rays),
+        set_(set),
         rescues_(rescues),
         rings_(front.rings()) {
     const Terrain& terrain = front.terrain();
@@ -117,51 +135,78 @@ class EyeLoop {
   }
 
   std::int64_t run() {
-    for (std::size_t i = 0; i < rays_.count; i += hn::Lanes(D())) place(i);
-    for (std::size_t i = 0; i < rays_.count; i += hn::Lanes(D())) start(i);
-    while (waiting_.count > 0) {
-      const RayQueue queue = waiting_;
-      waiting_.count = 0;
-      for (std::size_t i = 0; i < queue.count; i += hn::Lanes(D())) go_on(queue, i);
+    constexpr int kFirstSteps = 2;
+    constexpr int kSteps = 4;
+    const std::size_t lanes = hn::Lanes(D());
+    for (std::size_t i = 0; i < set_.count; i += lanes) place(i);
+    for (std::size_t i = 0; i < set_.count; i += lanes) step<true>(i);
+    for (int j = 1; j < kFirstSteps; ++j)
+      for (std::size_t i = 0; i < set_.count; i += lanes) step<false>(i);
+    pack();
+    while (set_.count > 0) {
+      for (std::size_t i = 0; i < set_.count; i += lanes) look_ahead(i);
+      for (int j = 0; j < kSteps; ++j)
+        for (std::size_t i = 0; i < set_.count; i += lanes) step<false>(i);
+      pack();
     }
     return tests_;
   }
 
  private:
-  // The lanes of one walk.
-  struct Walk {
+  HWY_INLINE std::uint8_t& walking(std::size_t first) {
+    return set_.walking[first / hn::Lanes(D())];
+  }
+
+  HWY_INLINE std::uint32_t lanes_from(std::size_t first) const {
+    return (1U << std::min(hn::Lanes(D()), set_.count - first)) - 1;
+  }
+
+  HWY_INLINE V ring_at(V ring) const {
+    const hn::Rebind<std::int64_t, D> longs;
+    return hn::GatherIndex(D(), front_.ring_m().data(), hn::ConvertTo(longs, ring));
+  }
+
+  HWY_INLINE V floats_at(const float* values, V index) const {
+    return hn::PromoteTo(D(), hn::GatherIndex(Floats(), values, hn::DemoteTo(Ints(), index)));
+  }
+
+  // The walk as it stands at rays first, first + 1, ... of the set.
+  HWY_INLINE Registers ray_lines(std::size_t first) const {
     Registers r;
-    V ring;
-    V ring_end;
-    V wedge_base;  // of the wedge's bounds
-    alignas(64) std::array<double, kVectorLanes> index;
-    std::uint32_t active;
-  };
-
-  HWY_INLINE V bound(V base, V ring) const {
-    return hn::PromoteTo(D(), hn::GatherIndex(Floats(), front_.bounds(),
-                                              hn::DemoteTo(Ints(), base + ring * of(kGroup))));
+    r.x = load(set_.x, first);
+    r.y = load(set_.y, first);
+    r.slope = load(set_.slope, first);
+    r.rate_u = load(set_.rate_u, first);
+    r.rate_v = load(set_.rate_v, first);
+    r.metres_u = load(set_.metres_u, first);
+    r.metres_v = load(set_.metres_v, first);
+    r.begin = of(0);
+    r.end = of(front_.terrain().reach_m());
+    r.start_u = of(eye_u_);
+    r.start_v = of(eye_v_);
+    return r;
   }
 
-  // The first ring from `ring` on whose bound reaches the slope.
-  HWY_INLINE V search(V ring, V slope, V wedge_base, V coarse_base, std::uint32_t active) const {
-    constexpr int kStride = EyeFront::kStride;
-    while (true) {
-      const M below = bound(wedge_base, ring) < slope;
-      if ((bits_of(below) & active) == 0) return ring;
-      const V block = hn::Floor(ring * of(1.0 / kStride));
-      const V coarse = hn::PromoteTo(
-          D(), hn::GatherIndex(Floats(), front_.coarse_bounds(),
-                               hn::DemoteTo(Ints(), coarse_base + block * of(kGroup))));
-      const M leap = hn::And(block * of(kStride) == ring, coarse < slope);
-      ring = ring + hn::IfThenElseZero(below, hn::IfThenElse(leap, of(kStride), of(1)));
-    }
+  HWY_INLINE void load_walk(Registers& r, std::size_t first) const {
+    r.column = load(set_.column, first);
+    r.row = load(set_.row, first);
+    r.g = load(set_.g, first);
+    r.u = load(set_.u, first);
+    r.v = load(set_.v, first);
+    r.z = load(set_.z, first);
   }
 
-  // Puts lanes into the cells where their rings begin.
-  HWY_INLINE M seat(Registers& r, V ring) const {
-    const V ring_m = ring_at(ring);
-    const V start_m = hn::Max(ring_m - of(front_.margin_m()), of(0));
+  HWY_INLINE void save_walk(const Registers& r, std::size_t first) {
+    save(set_.column, first, r.column);
+    save(set_.row, first, r.row);
+    save(set_.g, first, r.g);
+    save(set_.u, first, r.u);
+    save(set_.v, first, r.v);
+    save(set_.z, first, r.z);
+  }
+
+  // Puts rays into their cells at a distance. False: that is not over the grid.
+  HWY_INLINE M seat(Registers& r, V start_m) const {
     const V u = r.start_u + r.rate_u * start_m;
     const V v = r.start_v + r.rate_v * start_m;
     const V last_column = grid_.columns() - of(2);
@@ -170,151 +215,6 @@ class EyeLoop {
     r.row = hn::Min(hn::Max(hn::Floor(v), of(0)), last_row);
     return hn::And(hn::And(u >= of(0), v >= of(0)),
                    hn::And(u <= last_column + of(1), v <= last_row + of(1)));
-  }
-
-  HWY_INLINE V ring_at(V ring) const {
-    const hn::Rebind<std::int64_t, D> longs;
-    return hn::GatherIndex(D(), front_.ring_m().data(), hn::ConvertTo(longs, ring));
-  }
-
-  HWY_INLINE Registers registers(V x, V y, V slope, V rate_u, V rate_v, V metres_u,
-                                 V metres_v) const {
-    Registers r;
-    r.x = x;
-    r.y = y;
-    r.slope = slope;
-    r.rate_u = rate_u;
-    r.rate_v = rate_v;
-    r.metres_u = metres_u;
-    r.metres_v = metres_v;
-    r.begin = of(0);
-    r.end = of(front_.terrain().reach_m());
-    r.start_u = of(eye_u_);
-    r.start_v = of(eye_v_);
-    return r;
-  }
-
-  HWY_INLINE V wedge_base(V wedge, int rings) const {
-    const V group = hn::Floor(wedge * of(1.0 / kGroup));
-    return group * of(1.0 * rings * kGroup) + (wedge - group * of(kGroup));
-  }
-
-  // Finds the first cells of rays first, first + 1, ...
-  HWY_INLINE void place(std::size_t first) {
-    const std::uint32_t lanes = (1U << std::min(hn::Lanes(D()), rays_.count - first)) - 1;
-    save(rays_.ground_m, first, of(-1));
-    const V rise = hn::Abs(load(rays_.direction_z, first));
-    const V across_x = load(rays_.direction_x, first);
-    const V across_y = load(rays_.direction_y, first);
-    const V run2 = across_x * across_x + across_y * across_y;
-    // As is_vertical(), but for rounding: those near it go the sure way. NaN too.
-    const M slanted = run2 > of(4e-24) * rise * rise;
-
-    const V slope = load(rays_.slope, first);
-    const V bin = hn::Floor((slope / (of(1) + hn::Abs(slope)) + of(1)) *
-                            of(EyeFront::kStartBins / 2));
-    const V wedge = hn::PromoteTo(D(), hn::LoadU(Ints(), rays_.wedge.data() + first));
-    const V at = wedge * of(EyeFront::kStartBins) +
-                 hn::IfThenElseZero(bin >= of(0), hn::Min(bin, of(EyeFront::kStartBins - 1)));
-    V ring = hn::PromoteTo(D(),
-                           hn::GatherIndex(Ints(), front_.starts(), hn::DemoteTo(Ints(), at)));
-    const V base = wedge_base(wedge, rings_ + 1);
-    // The bin's first ring may be one or two too near.
-    for (int i = 0; i < 2; ++i)
-      ring = ring + hn::IfThenElseZero(bound(base, ring) < slope, of(1));
-    const M reached = bound(base, ring) >= slope;
-    const M missed = ring >= of(rings_);
-
-    Registers r = registers(of(0), of(0), slope, load(rays_.rate_u, first),
-                            load(rays_.rate_v, first), of(0), of(0));
-    ring = hn::Min(ring, of(rings_ - 1));
-    const M seated = seat(r, ring);
-    save(ring_, first, ring);
-    save(rays_.column, first, r.column);
-    save(rays_.row, first, r.row);
-
-    const std::uint32_t live = lanes & ~bits_of(missed);
-    const std::uint32_t lost = live & ~(bits_of(slanted) & (bits_of(seated) | ~bits_of(reached)));
-    for (std::uint32_t left = lanes & (~bits_of(slanted) | lost); left != 0; left &= left - 1)
-      rescues_.rays[rescues_.count++] = static_cast<std::int32_t>(first) + __builtin_ctz(left);
-    const std::uint32_t ready = live & ~lost;
-    ready_[first / hn::Lanes(D())] = static_cast<std::uint8_t>(ready & bits_of(reached));
-    for (std::uint32_t left = ready & ~bits_of(reached); left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(__builtin_ctz(left)) + first;
-      waiting_.push({static_cast<std::int32_t>(i), static_cast<std::int32_t>(ring_[i]), -1, -1});
-    }
-  }
-
-  // The first crossings of rays first, first + 1, ...
-  HWY_INLINE void start(std::size_t first) {
-    Walk w;
-    w.active = ready_[first / hn::Lanes(D())];
-    if (w.active == 0) return;
-    w.r = registers(load(rays_.x, first), load(rays_.y, first), load(rays_.slope, first),
-                    load(rays_.rate_u, first), load(rays_.rate_v, first),
-                    load(rays_.metres_u, first), load(rays_.metres_v, first));
-    w.r.column = load(rays_.column, first);
-    w.r.row = load(rays_.row, first);
-    hn::Store(hn::Iota(D(), static_cast<double>(first)), D(), w.index.data());
-    w.ring = load(ring_, first);
-    w.wedge_base =
-        wedge_base(hn::PromoteTo(D(), hn::LoadU(Ints(), rays_.wedge.data() + first)), rings_ + 1);
-    walk<true>(w, first, false);
-  }
-
-  // Moves lanes on to the next ring that reaches them; those without any have missed.
-  HWY_INLINE void find_ring(Walk& w, V wedge, std::uint32_t lanes) {
-    const M looking = mask_of(lanes);
-    const V from = hn::IfThenElse(looking, w.ring, of(rings_));
-    const V found = search(from, w.r.slope, w.wedge_base,
-                           wedge_base(wedge, front_.coarse_rings()), lanes);
-    w.ring = hn::IfThenElse(looking, found, w.ring);
-    w.active &= ~(lanes & bits_of(found >= of(rings_)));
-    w.ring = hn::Min(w.ring, of(rings_ - 1));
-  }
-
-  // Rays that waited.
-  HWY_INLINE void go_on(const RayQueue& queue, std::size_t first) {
-    const std::size_t count = std::min(hn::Lanes(D()), queue.count - first);
-    alignas(64) std::array<double, kVectorLanes> field[11];
-    for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) {
-      const WaitingRay& ray = queue.rays[first + std::min(lane, count - 1)];
-      const auto i = static_cast<std::size_t>(ray.index);
-      field[0][lane] = rays_.x[i];
-      field[1][lane] = rays_.y[i];
-      field[2][lane] = rays_.slope[i];
-      field[3][lane] = rays_.rate_u[i];
-      field[4][lane] = rays_.rate_v[i];
-      field[5][lane] = rays_.metres_u[i];
-      field[6][lane] = rays_.metres_v[i];
-      field[7][lane] = rays_.wedge[i];
-      field[8][lane] = ray.ring;
-      field[9][lane] = ray.column;
-      field[10][lane] = ray.row;
-    }
-    const auto get = [&](int i) HWY_ATTR { return hn::Load(D(), field[i].data()); };
-    Walk w;
-    w.r = registers(get(0), get(1), get(2), get(3), get(4), get(5), get(6));
-    for (std::size_t lane = 0; lane < count; ++lane)
-      w.index[lane] = queue.rays[first + lane].index;
-    w.active = (1U << count) - 1;
-    w.ring = get(8);
-    w.wedge_base = wedge_base(get(7), rings_ + 1);
-    const M searching = get(9) < of(0);
-    const std::uint32_t search = bits_of(searching) & w.active;
-    if (search != 0) find_ring(w, get(7), search);
-    const std::uint32_t seated = bits_of(seat(w.r, w.ring)) | ~search;
-    w.r.column = hn::IfThenElse(searching, w.r.column, get(9));
-    w.r.row = hn::IfThenElse(searching, w.r.row, get(10));
-    rescue(w, w.active & ~seated);
-    w.active &= seated;
-    walk<false>(w, 0, queue.count <= hn::Lanes(D()));
-  }
-
-  HWY_INLINE void rescue(const Walk& w, std::uint32_t lanes) {
-    for (; lanes != 0; lanes &= lanes - 1)
-      rescues_.rays[rescues_.count++] = static_cast<std::int32_t>(
-          w.index[static_cast<std::size_t>(__builtin_ctz(lanes))]);
   }
 
   // Where the lanes came into their cells. True: as the single ray's walk does.
@@ -328,98 +228,93 @@ class EyeLoop {
     return hn::Or(entered, at_eye);
   }
 
-  // Walks until the rays are settled or, unless `to_the_end`, half the lanes stand idle. With
-  // kInOrder lane i is ray first + i.
-  template <bool kInOrder>
-  HWY_INLINE void walk(Walk& w, std::size_t first, bool to_the_end) {
-    Registers& r = w.r;
-    const std::uint32_t entered = bits_of(enter(r));
-    rescue(w, w.active & ~entered);
-    w.active &= entered;
-    park(r, w.active);
-    w.ring_end = ring_at(w.ring + of(1));
-    const int idle = to_the_end ? 0 : static_cast<int>(hn::Lanes(D())) / 2;
-    while (w.active != 0) {
-      const std::uint32_t active = w.active;
-      const NextCrossing next = grid_.next_crossing(r);
-      const V in = r.slope * r.g - r.z;
-      const V out = r.slope * next.g - next.z;
-      const std::uint32_t ground = bits_of(next.has_ground) & w.active;
-      tests_ += __builtin_popcount(ground);
-      const std::uint32_t lost =
-          ((bits_of(in < of(0)) & ground) | bits_of(next.g > r.end)) & w.active;
-      const std::uint32_t hit =
-          bits_of(hn::And(out <= of(0), next.g > r.g)) & ground & ~lost;
-      if (lost != 0) rescue(w, lost);
-      if (hit != 0) record<kInOrder>(w, next, in, out, hit, first);
-      w.active &= ~(hit | lost);
-      advance(r, next);
-      w.active &= bits_of(grid_.is_inside(r));
-      const std::uint32_t over = bits_of(r.g >= w.ring_end) & w.active;
-      if (over != 0) next_ring(w, over);
-      if (__builtin_popcount(w.active) <= idle) break;
-      if (w.active != active) park(r, w.active);
-    }
-    for (std::uint32_t left = w.active; left != 0; left &= left - 1) wait(w, __builtin_ctz(left));
-  }
-
-  HWY_INLINE void next_ring(Walk& w, std::uint32_t over) {
-    w.ring = w.ring + hn::IfThenElseZero(mask_of(over), of(1));
-    const std::uint32_t reached = bits_of(bound(w.wedge_base, w.ring) >= w.r.slope);
-    const std::uint32_t past = bits_of(w.ring >= of(rings_)) & over;
-    rescue(w, past);
-    w.active &= ~past;
-    w.ring = hn::Min(w.ring, of(rings_ - 1));
-    w.ring_end = ring_at(w.ring + of(1));
-    for (std::uint32_t left = over & ~reached & ~past; left != 0; left &= left - 1) {
-      const int lane = __builtin_ctz(left);
-      w.active &= ~(1U << lane);
-      alignas(64) std::array<double, kVectorLanes> ring;
-      hn::Store(w.ring, D(), ring.data());
-      const auto i = static_cast<std::size_t>(lane);
-      waiting_.push({static_cast<std::int32_t>(w.index[i]), static_cast<std::int32_t>(ring[i]),
-                     -1, -1});
+  HWY_INLINE void rescue(std::size_t first, std::uint32_t lanes) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto i = first + static_cast<std::size_t>(__builtin_ctz(lanes));
+      rescues_.rays[rescues_.count++] = static_cast<std::int32_t>(set_.index[i]);
     }
   }
 
-  HWY_INLINE void wait(const Walk& w, int lane) {
-    alignas(64) std::array<double, kVectorLanes> ring;
-    alignas(64) std::array<double, kVectorLanes> column;
-    alignas(64) std::array<double, kVectorLanes> row;
-    hn::Store(w.ring, D(), ring.data());
-    hn::Store(w.r.column, D(), column.data());
-    hn::Store(w.r.row, D(), row.data());
-    const auto i = static_cast<std::size_t>(lane);
-    waiting_.push({static_cast<std::int32_t>(w.index[i]), static_cast<std::int32_t>(ring[i]),
-                   static_cast<std::int32_t>(column[i]), static_cast<std::int32_t>(row[i])});
+  // Finds the first cells of rays first, first + 1, ..., which are those of EyeRays in order.
+  HWY_INLINE void place(std::size_t first) {
+    save(rays_.ground_m, first, of(-1));
+    const V rise = hn::Abs(load(rays_.direction_z, first));
+    const V across_x = load(rays_.direction_x, first);
+    const V across_y = load(rays_.direction_y, first);
+    // As is_vertical(), or nearly: those near it go the sure way. NaN too.
+    const M slanted = across_x * across_x + across_y * across_y > of(4e-24) * rise * rise;
+    const V start_m = floats_at(front_.starts_m(), load(set_.start, first));
+    const M meets = start_m < hn::Inf(D());
+    Registers r = ray_lines(first);
+    const M seated = seat(r, hn::IfThenElseZero(meets, start_m));
+    save(set_.column, first, r.column);
+    save(set_.row, first, r.row);
+    const std::uint32_t lanes = lanes_from(first);
+    const std::uint32_t lost = (lanes & ~bits_of(slanted)) |
+                               (lanes & bits_of(hn::AndNot(seated, meets)));
+    rescue(first, lost);
+    walking(first) = static_cast<std::uint8_t>(lanes & bits_of(meets) & ~lost);
   }
 
-  template <bool kInOrder>
-  HWY_INLINE void record(const Walk& w, const NextCrossing& next, V in, V out, std::uint32_t hit,
-                         std::size_t first) {
-    const Registers& r = w.r;
+  // One crossing of rays first, first + 1, ... Without branches on what they meet: which lanes are
+  // settled can't be foreseen. The first step of rays in order also finds where they enter.
+  template <bool kFirst>
+  HWY_INLINE void step(std::size_t first) {
+    std::uint32_t active = walking(first);
+    if (active == 0) return;
+    Registers r = ray_lines(first);
+    load_walk(r, first);
+    std::uint32_t lost = 0;
+    if constexpr (kFirst) lost = active & ~bits_of(enter(r));
+    park(r, active);
+    const NextCrossing next = grid_.next_crossing(r);
+    const V in = r.slope * r.g - r.z;
+    const V out = r.slope * next.g - next.z;
+    const std::uint32_t ground = bits_of(next.has_ground) & active;
+    tests_ += __builtin_popcount(ground);
+    lost |= ((bits_of(in < of(0)) & ground) | bits_of(next.g > r.end)) & active;
+    const std::uint32_t hit = bits_of(hn::And(out <= of(0), next.g > r.g)) & ground & ~lost;
     const V share = hn::IfThenElseZero(in > of(0), in / (in - out));
-    const V g = r.g + share * (next.g - r.g);
-    const V u = r.u + share * (next.u - r.u);
-    const V v = r.v + share * (next.v - r.v);
-    if constexpr (kInOrder) {
-      const M mask = mask_of(hit);
-      hn::BlendedStore(g, mask, D(), rays_.ground_m.data() + first);
-      hn::BlendedStore(u, mask, D(), rays_.u.data() + first);
-      hn::BlendedStore(v, mask, D(), rays_.v.data() + first);
-      hn::BlendedStore(r.column, mask, D(), rays_.column.data() + first);
-      hn::BlendedStore(r.row, mask, D(), rays_.row.data() + first);
-      return;
+    const Registers met = between(r, next, share);
+    if constexpr (kFirst) {
+      record_in_order(met, hit, first);
+    } else {
+      record(met, hit, first);
     }
+    advance(r, next);
+    active &= ~(hit | lost) & bits_of(grid_.is_inside(r));
+    save_walk(r, first);
+    walking(first) = static_cast<std::uint8_t>(active);
+    rescue(first, lost);
+  }
+
+  HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V share) const {
+    Registers met = r;
+    met.g = r.g + share * (next.g - r.g);
+    met.u = r.u + share * (next.u - r.u);
+    met.v = r.v + share * (next.v - r.v);
+    return met;
+  }
+
+  HWY_INLINE void record_in_order(const Registers& met, std::uint32_t hit, std::size_t first) {
+    const M mask = mask_of(hit);
+    hn::BlendedStore(met.g, mask, D(), rays_.ground_m.data() + first);
+    hn::BlendedStore(met.u, mask, D(), rays_.u.data() + first);
+    hn::BlendedStore(met.v, mask, D(), rays_.v.data() + first);
+    hn::BlendedStore(met.column, mask, D(), rays_.column.data() + first);
+    hn::BlendedStore(met.row, mask, D(), rays_.row.data() + first);
+  }
+
+  HWY_INLINE void record(const Registers& met, std::uint32_t hit, std::size_t first) {
     alignas(64) std::array<double, kVectorLanes> lanes[5];
-    hn::Store(g, D(), lanes[0].data());
-    hn::Store(u, D(), lanes[1].data());
-    hn::Store(v, D(), lanes[2].data());
-    hn::Store(r.column, D(), lanes[3].data());
-    hn::Store(r.row, D(), lanes[4].data());
+    hn::Store(met.g, D(), lanes[0].data());
+    hn::Store(met.u, D(), lanes[1].data());
+    hn::Store(met.v, D(), lanes[2].data());
+    hn::Store(met.column, D(), lanes[3].data());
+    hn::Store(met.row, D(), lanes[4].data());
     for (; hit != 0; hit &= hit - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(hit));
-      const auto i = static_cast<std::size_t>(w.index[lane]);
+      const auto i = static_cast<std::size_t>(set_.index[first + lane]);
       rays_.ground_m[i] = lanes[0][lane];
       rays_.u[i] = lanes[1][lane];
       rays_.v[i] = lanes[2][lane];
@@ -428,11 +323,88 @@ class EyeLoop {
     }
   }
 
-  static constexpr int kGroup = EyeFront::kGroup;
+  // Moves the rays that walk to the front of the set.
+  void pack() {
+    std::size_t kept = 0;
+    for (std::size_t first = 0; first < set_.count; first += hn::Lanes(D()))
+      for (std::uint32_t left = walking(first); left != 0; left &= left - 1)
+        set_.move(first + static_cast<std::size_t>(__builtin_ctz(left)), kept++);
+    set_.count = kept;
+    // Lanes past the last ray are computed all the same.
+    for (std::size_t i = kept; i % kVectorLanes != 0; ++i) set_.move(kept - 1, i);
+    for (std::size_t first = 0; first < kept; first += hn::Lanes(D()))
+      walking(first) = static_cast<std::uint8_t>(lanes_from(first));
+  }
+
+  // Takes rays over the sectors that they clear; those that clear all there are have missed.
+  HWY_INLINE void look_ahead(std::size_t first) {
+    const std::uint32_t lanes = lanes_from(first);
+    Registers r = ray_lines(first);
+    load_walk(r, first);
+    const V wedge = hn::Floor(load(set_.start, first) * of(1.0 / EyeFront::kStartBins));
+    const V here = ring_of(first);
+    const V ring = search(here, r.slope, wedge, lanes);
+    const M missed = ring >= of(rings_);
+    const V known = hn::Min(ring, of(rings_ - 1));
+    walking(first) = static_cast<std::uint8_t>(lanes & ~bits_of(missed));
+    const M leaps = ring > here;
+    if ((bits_of(leaps) & walking(first)) == 0) return;
+
+    Registers there = r;
+    const V bound = sector_bound(wedge, known);
+    const V down_m = hn::IfThenElseZero(
+        bound < of(0), ring_at(known + of(1)) * (hn::Max(bound, r.slope) / r.slope));
+    const M seated =
+        seat(there, hn::Max(ring_at(known), down_m) - of(front_.margin_m()));
+    const M entered = hn::And(seated, enter(there));
+    r.column = hn::IfThenElse(leaps, there.column, r.column);
+    r.row = hn::IfThenElse(leaps, there.row, r.row);
+    r.g = hn::IfThenElse(leaps, there.g, r.g);
+    r.u = hn::IfThenElse(leaps, there.u, r.u);
+    r.v = hn::IfThenElse(leaps, there.v, r.v);
+    r.z = hn::IfThenElse(leaps, there.z, r.z);
+    save_walk(r, first);
+    const std::uint32_t lost = walking(first) & bits_of(hn::AndNot(entered, leaps));
+    rescue(first, lost);
+    walking(first) = static_cast<std::uint8_t>(walking(first) & ~lost);
+  }
+
+  HWY_INLINE V ring_of(std::size_t first) const {
+    alignas(64) std::array<double, kVectorLanes> rings;
+    for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
+      rings[lane] = front_.ring_of(set_.g[first + lane]);
+    return hn::Load(D(), rings.data());
+  }
+
+  // The bound of a ring in a wedge; infinite past the last ring.
+  HWY_INLINE V sector_bound(V wedge, V ring) const {
+    return floats_at(front_.bounds(), in_group(wedge, ring, rings_ + 1));
+  }
+
+  HWY_INLINE V in_group(V wedge, V ring, int rings) const {
+    constexpr int kGroup = EyeFront::kGroup;
+    const V group = hn::Floor(wedge * of(1.0 / kGroup));
+    return (group * of(rings) + ring) * of(kGroup) + (wedge - group * of(kGroup));
+  }
+
+  // The first ring from `ring` on whose bound reaches the slope.
+  HWY_INLINE V search(V ring, V slope, V wedge, std::uint32_t lanes) const {
+    constexpr int kStride = EyeFront::kStride;
+    while (true) {
+      const M below = sector_bound(wedge, ring) < slope;
+      if ((bits_of(below) & lanes) == 0) return ring;
+      const V block = hn::Floor(ring * of(1.0 / kStride));
+      const V coarse =
+          floats_at(front_.coarse_bounds(), in_group(wedge, block, front_.coarse_rings()));
+      const M leap = hn::And(block * of(kStride) == ring, coarse < slope);
+      ring = ring + hn::IfThenElseZero(below, hn::IfThenElse(leap, of(kStride), of(1)));
+    }
+  }
 
   const EyeFront& front_;
   VectorGrid grid_;
   EyeRays& rays_;
+  RaySet& set_;
   RescueList& rescues_;
   int rings_;
   double eye_u_ = 0;
@@ -441,14 +413,12 @@ class EyeLoop {
   double eye_column_ = -2;
   double eye_row_ = -2;
   double eye_z_ = 0;
-  RayQueue waiting_;
-  alignas(64) EyeRays::Values ring_;
-  std::array<std::uint8_t, EyeRays::kMost> ready_;
   std::int64_t tests_ = 0;
 };
 
-std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RescueList& rescues) {
-  return EyeLoop(front, rays, rescues).run();
+std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RaySet& set,
+                          RescueList& rescues) {
+  return EyeLoop(front, rays, set, rescues).run();
 }
 
 void affine_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals) {
@@ -503,10 +473,10 @@ void pad(EyeRays& rays) {
   }
 }
 
-void make_front(const EyeFront& front, const EyeRays& rays) {
+void make_front(const EyeFront& front, const RaySet& set) {
   int made = -1;
-  for (std::size_t i = 0; i < rays.count; ++i) {
-    const int group = rays.wedge[i] / EyeFront::kGroup;
+  for (std::size_t i = 0; i < set.count; ++i) {
+    const int group = static_cast<int>(set.start[i]) / (EyeFront::kStartBins * EyeFront::kGroup);
     if (group == made) continue;
     front.make(group);
     made = group;
@@ -531,10 +501,11 @@ Hit EyeRays::hit(std::size_t i) const {
 void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
   if (rays.count == 0) return;
   pad(rays);
-  HWY_DYNAMIC_DISPATCH(prepare_rays)(front, rays);
-  make_front(front, rays);
+  RaySet set;
+  HWY_DYNAMIC_DISPATCH(prepare_rays)(front, rays, set);
+  make_front(front, set);
   RescueList rescues;
-  counts.tests += HWY_DYNAMIC_DISPATCH(run_eye_loop)(front, rays, rescues);
+  counts.tests += HWY_DYNAMIC_DISPATCH(run_eye_loop)(front, rays, set, rescues);
   const Terrain& terrain = front.terrain();
   for (std::size_t j = 0; j < rescues.count; ++j) {
     const auto i = static_cast<std::size_t>(rescues.rays[j]);

@@ -30,10 +30,6 @@ struct EyeRays {
   // whose slope is infinite, the distance down); the grid coordinates, and the cell.
   alignas(64) Values ground_m, u, v, column, row;
 
-  // Of the tracks: posts per metre, and the inverse.
-  alignas(64) Values rate_u, rate_v, metres_u, metres_v;
-  alignas(64) std::array<std::int32_t, kMost> wedge;
-
   [[nodiscard]] bool is_hit(std::size_t i) const { return ground_m[i] >= 0; }
   // The Hit that Terrain::first_hit() gives. Only where is_hit().
   [[nodiscard]] Hit hit(std::size_t i) const;
