@@ -301,6 +301,8 @@ EyeFront::EyeFront(const Terrain& terrain, const HeightCeilings& ceilings,
   bounds_ = std::make_unique_for_overwrite<float[]>(wedges * (ring_count + 1));
   coarse_bounds_ = std::make_unique_for_overwrite<float[]>(
       wedges * static_cast<std::size_t>(coarse_rings()));
+  bounds_beyond_ = std::make_unique_for_overwrite<float[]>(
+      wedges * static_cast<std::size_t>(coarse_rings()));
   starts_m_ = std::make_unique_for_overwrite<float[]>(wedges * kStartBins);
   made_ = std::make_unique<std::once_flag[]>(wedges / kGroup);
 }
@@ -372,16 +374,29 @@ void EyeFront::make(int group) const {
 }
 
 void EyeFront::make_coarse_bounds(int group) const {
-  const auto count = static_cast<std::size_t>(rings()) + 1;
+  constexpr float kNone = -std::numeric_limits<float>::infinity();
+  const auto count = static_cast<std::size_t>(rings());
   const auto coarse_count = static_cast<std::size_t>(coarse_rings());
-  const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * count * kGroup;
-  float* coarse = coarse_bounds_.get() + static_cast<std::size_t>(group) * coarse_count * kGroup;
-  std::fill_n(coarse, coarse_count * kGroup, -std::numeric_limits<float>::infinity());
+  const auto place = static_cast<std::size_t>(group) * kGroup;
+  const float* bounds = bounds_.get() + place * (count + 1);
+  float* coarse = coarse_bounds_.get() + place * coarse_count;
+  float* beyond = bounds_beyond_.get() + place * coarse_count;
+  std::fill_n(coarse, coarse_count * kGroup, kNone);
   for (std::size_t ring = 0; ring < count; ++ring)
     for (std::size_t i = 0; i < kGroup; ++i) {
       float& highest = coarse[ring / kStride * kGroup + i];
       highest = std::max(highest, bounds[ring * kGroup + i]);
     }
+  std::array<float, kGroup> highest{};
+  highest.fill(kNone);
+  for (std::size_t block = coarse_count; block-- > 0;)
+    for (std::size_t i = 0; i < kGroup; ++i) {
+      highest[i] = std::max(highest[i], coarse[block * kGroup + i]);
+      beyond[block * kGroup + i] = highest[i];
+    }
+  // A search ends past the last ring.
+  std::fill_n(coarse + (coarse_count - 1) * kGroup, kGroup,
+              std::numeric_limits<float>::infinity());
 }
 
 void EyeFront::make_starts(int group) const {

@@ -65,6 +65,9 @@ class EyeFront {
   [[nodiscard]] const float* bounds() const { return bounds_.get(); }
   // The highest bound of the kStride rings from kStride i on, laid out alike by i.
   [[nodiscard]] const float* coarse_bounds() const { return coarse_bounds_.get(); }
+  // The highest bound of all rings from kStride i on, laid out alike; the ring past the last not
+  // counted.
+  [[nodiscard]] const float* bounds_beyond() const { return bounds_beyond_.get(); }
   [[nodiscard]] int coarse_rings() const { return rings() / kStride + 1; }
   // Where rays of a bin of slopes may first meet the ground: at wedge * kStartBins + bin, for bins
   // from first_bin() to last_bin(), which stand for all below and above them. Infinity where they
@@ -96,6 +99,7 @@ class EyeFront {
   // Of every wedge around the eye, but only pages of those that are made are ever touched.
   std::unique_ptr<float[]> bounds_;
   std::unique_ptr<float[]> coarse_bounds_;
+  std::unique_ptr<float[]> bounds_beyond_;
   std::unique_ptr<float[]> starts_m_;
   std::unique_ptr<std::once_flag[]> made_;
 };

@@ -343,7 +343,11 @@ class EyeLoop {
     load_walk(r, first);
     const V wedge = hn::Floor(load(set_.start, first) * of(1.0 / EyeFront::kStartBins));
     const V here = ring_of(first);
-    const V ring = search(here, r.slope, wedge, lanes);
+    const V beyond = floats_at(
+        front_.bounds_beyond(),
+        in_group(wedge, hn::Floor(here * of(1.0 / EyeFront::kStride)), front_.coarse_rings()));
+    const V from = hn::IfThenElse(beyond < r.slope, of(rings_), here);
+    const V ring = search(from, r.slope, wedge, lanes);
     const M missed = ring >= of(rings_);
     const V known = hn::Min(ring, of(rings_ - 1));
     walking(first) = static_cast<std::uint8_t>(lanes & ~bits_of(missed));
