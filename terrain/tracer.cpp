@@ -102,7 +102,7 @@ class Tracer {
   }
 
   // The exit of the largest block ahead, up to one level above the last, that the ray clears.
-  std::optional<GridWalk::BlockExit> clear_block(std::size_t index, const GridWalk& walk,
+  std::optional<GridWalk::BlockExit> clear_block(std::size_t index, GridWalk& walk,
                                                  BlockSearch& search, double to_m) {
     if (terrain_.pyramids().empty()) return std::nullopt;
     constexpr int kFirst = HeightPyramid::kFirstLevel;
