@@ -51,6 +51,8 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   line.add_option("--scenes", options.scenes, "only these: synthetic, city, thesis, dem")
       ->delimiter(',');
   line.add_option("--views", options.views, "only these: horizon, gridline, ...")->delimiter(',');
+  line.add_option("--rays", options.rays, "only these: primary, shadow, file-to-png")
+      ->delimiter(',');
   line.add_option("--contenders", options.contenders,
                   "only these names; * at the end stands for the rest")
       ->delimiter(',');
@@ -77,6 +79,7 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   if (options.threads.empty()) options.threads = one_and_all_threads();
   check_names("--scenes", options.scenes, {"synthetic", "city", "thesis", "dem"});
   check_names("--views", options.views, {"horizon", "gridline", "valley", "oblique", "down", "up"});
+  check_names("--rays", options.rays, {"primary", "shadow", "file-to-png"});
   return options;
 }
 

@@ -17,6 +17,7 @@ struct BenchOptions {
   // Of what there is, only these; empty = all.
   std::vector<std::string> scenes;      // synthetic, city, thesis, and the files' names
   std::vector<std::string> views;       // as in the results
+  std::vector<std::string> rays;        // primary, shadow, file-to-png
   std::vector<std::string> contenders;  // names; '*' at the end stands for the rest
   std::vector<int> threads;             // empty = 1 and all
   int repetitions = 7;

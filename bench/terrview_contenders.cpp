@@ -18,14 +18,15 @@ namespace {
 
 struct Method {
   const char* name;
+  SurfaceModel surface;
   Search search;
+  BenchEarth earth = BenchEarth::flat;
 };
 
 // Rays one by one, scalar, in double precision.
-Contender scalar(const BenchDem& dem, const Method& method, SurfaceModel surface) {
-  const auto place = [&dem, method, surface](const BenchView& view) -> ViewTracer {
-    const auto terrain =
-        std::make_shared<const Terrain>(terrain_of(dem, view, surface, method.search));
+Contender scalar(const BenchDem& dem, const Method& method) {
+  const auto place = [&dem, method](const BenchView& view) -> ViewTracer {
+    const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
     return {.primary =
                 [terrain, &view](int threads, TracedFrame& frame) {
                   return trace_rays(*terrain, view.camera, threads, frame);
@@ -35,7 +36,13 @@ Contender scalar(const BenchDem& dem, const Method& method, SurfaceModel surface
                   return shade_rays(*terrain, view, rays, threads, frame);
                 }};
   };
-  return {.name = method.name, .surface = surface, .build_s = {}, .memory_mib = {}, .place = place};
+  return {.name = method.name,
+          .surface = method.surface,
+          .earth = method.earth,
+          .build_s = {},
+          .ready_s = {},
+          .memory_mib = {},
+          .place = place};
 }
 
 // Columns of the image that are vertical planes, in strips; as the renderer takes them.
@@ -64,14 +71,15 @@ FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threa
 }
 
 // The way the program goes by default.
-Contender default_way(const BenchDem& dem) {
-  Contender contender = scalar(dem, {"terrview", Search::pyramid}, SurfaceModel::hyperboloid);
-  contender.place = [&dem, scalar_place = contender.place](const BenchView& view) {
+Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
+  const Method method{name, SurfaceModel::hyperboloid, Search::pyramid, earth};
+  Contender contender = scalar(dem, method);
+  contender.place = [&dem, method, scalar_place = contender.place](const BenchView& view) {
     ViewTracer tracer = scalar_place(view);
-    const auto terrain = std::make_shared<const Terrain>(
-        terrain_of(dem, view, SurfaceModel::hyperboloid, Search::pyramid));
     const auto columns = column_view(view.camera);
-    if (columns && has_columns(*terrain))
+    if (!columns) return tracer;
+    const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
+    if (has_columns(*terrain))
       tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
         return trace_strips(*terrain, columns, threads, frame);
       };
@@ -114,24 +122,32 @@ Contender frame_writer() {
   const auto place = [](const BenchView& /*view*/) -> ViewTracer {
     return {.primary = write_frame, .shadow = {}};
   };
-  return {.name = "write-frame", .surface = {}, .build_s = {}, .memory_mib = {}, .place = place};
+  return {.name = "write-frame",
+          .surface = {},
+          .earth = BenchEarth::flat,
+          .build_s = {},
+          .ready_s = {},
+          .memory_mib = {},
+          .place = place};
 }
 
 }  // namespace
 
-std::vector<Contender> terrview_contenders(const BenchDem& dem) {
-  const Built pyramid = build_pyramid(*dem.grid);
-  std::vector<Contender> contenders{frame_writer()};
-  const auto add_built = [&](Contender contender) {
-    contender.build_s = pyramid.seconds;
-    contender.memory_mib = pyramid.mib;
-    contenders.push_back(std::move(contender));
-  };
-  add_built(default_way(dem));
+std::vector<Contender> terrview_contenders(const BenchDem& dem, const IsWanted& is_wanted) {
+  std::vector<Contender> contenders{frame_writer(), default_way(dem, kDefaultWay, BenchEarth::flat),
+                                    default_way(dem, kCurvedWay, BenchEarth::curved),
+                                    default_way(dem, kBentWay, BenchEarth::bent)};
   for (const SurfaceModel surface :
        {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
-    contenders.push_back(scalar(dem, {"terrview-plain", Search::plain}, surface));
-    add_built(scalar(dem, {"terrview-pyramid", Search::pyramid}, surface));
+    contenders.push_back(scalar(dem, {"terrview-plain", surface, Search::plain}));
+    contenders.push_back(scalar(dem, {"terrview-pyramid", surface, Search::pyramid}));
+  }
+  std::erase_if(contenders, [&](const Contender& each) { return !is_wanted(each.name); });
+  const Built pyramid = build_pyramid(*dem.grid);
+  for (Contender& each : contenders) {
+    if (!each.surface || each.name == "terrview-plain") continue;
+    each.build_s = pyramid.seconds;
+    each.memory_mib = pyramid.mib;
   }
   return contenders;
 }
