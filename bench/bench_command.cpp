@@ -21,6 +21,7 @@
 #include "bench/machine.h"
 #include "bench/measure.h"
 #include "bench/report.h"
+#include "bench/surface_study.h"
 #include "cli/output_file.h"
 #include "terrain/error.h"
 
@@ -173,6 +174,13 @@ BenchRun measure_all(const BenchOptions& options, const std::vector<std::string>
   return run;
 }
 
+void study_surfaces(const BenchOptions& options) {
+  std::cout << describe_machine().dump() << '\n';
+  for (const Case& each : make_cases(options))
+    if (is_chosen(options.scenes, each.scene) && each.scene != "thesis")
+      print_surface_study(std::cout, each.dem(), options.size_px);
+}
+
 BenchRun read_run(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw InputError("--from: " + path + ": cannot be opened: check its name");
@@ -203,6 +211,10 @@ void finish(std::optional<OutputFile>& file, const std::string& text) {
 int run_bench(const std::vector<std::string>& args) {
   const std::optional<BenchOptions> options = parse_bench_options(args);
   if (!options) return 0;
+  if (options->tremble) {
+    study_surfaces(*options);
+    return 0;
+  }
   std::optional<OutputFile> json = claim(options->json);
   std::optional<OutputFile> svg = claim(options->svg);
   BenchRun run;

@@ -47,6 +47,8 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   line.add_flag("--quick", quick, "small scenes and pictures");
   line.add_option("--json", options.json, "write the results");
   line.add_option("--svg", options.svg, "draw speed against error");
+  line.add_flag("--tremble", options.tremble,
+                "instead: how the surface models differ, and how they move with the eye");
   line.add_option("--from", options.from, "show results that --json wrote instead of measuring");
   line.add_option("--scenes", options.scenes, "only these: synthetic, city, thesis, dem")
       ->delimiter(',');

@@ -13,7 +13,8 @@ struct BenchOptions {
   std::vector<std::string> dems;  // files
   std::string json;               // outputs; empty = none
   std::string svg;
-  std::string from;  // results to show instead of measuring
+  bool tremble = false;  // the study of surfaces instead
+  std::string from;      // results to show instead of measuring
   // Of what there is, only these; empty = all.
   std::vector<std::string> scenes;      // synthetic, city, thesis, and the files' names
   std::vector<std::string> views;       // as in the results
