@@ -3,13 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "bench/bench_dem.h"
@@ -118,12 +118,14 @@ class DemFile {
     if (!is_wanted) return;
     path_ = which.path;
     if (which.scene != "synthetic") return;
-    path_ = written_ = std::filesystem::temp_directory_path() /
-                       ("terrview_bench_" + std::to_string(::getpid()) + ".tif");
-    write_dem_file(dem, path_);
+    folder_ = std::filesystem::temp_directory_path() /
+              ("terrview_bench_dem_" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder_);
+    path_ = write_dem_file(dem, folder_);
   }
   ~DemFile() {
-    if (!written_.empty()) std::remove(written_.c_str());
+    std::error_code gone_already;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, gone_already);
   }
   DemFile(const DemFile&) = delete;
   DemFile& operator=(const DemFile&) = delete;
@@ -133,7 +135,7 @@ class DemFile {
 
  private:
   std::string path_;
-  std::string written_;
+  std::filesystem::path folder_;
 };
 
 void measure_case(const Case& which, const BenchOptions& options, BenchRun& run) {

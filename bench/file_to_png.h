@@ -9,9 +9,9 @@
 
 namespace terrview {
 
-// A GeoTIFF of floats without a coordinate system, in the scene frame, as GDAL writes it by
-// default. Throws std::runtime_error.
-void write_dem_file(const BenchDem& dem, const std::string& path);
+// Writes plain floats behind an ESRI header, in the scene frame and without a coordinate system:
+// nothing is sooner read. Returns the path. Throws std::runtime_error.
+[[nodiscard]] std::string write_dem_file(const BenchDem& dem, const std::string& folder);
 
 struct PngTask {
   std::string path;  // the file that `dem` is of

@@ -1,31 +1,27 @@
-#include <gdal_priv.h>
-
-#include <array>
+#include <cassert>
+#include <fstream>
+#include <iomanip>
 #include <stdexcept>
 
 #include "bench/file_to_png.h"
 
 namespace terrview {
 
-void write_dem_file(const BenchDem& dem, const std::string& path) {
-  GDALAllRegister();
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  if (driver == nullptr) throw std::runtime_error("GDAL lacks the driver GTiff");
+std::string write_dem_file(const BenchDem& dem, const std::string& folder) {
+  assert(dem.step_m[0].y == 0 && dem.step_m[1].x == 0);
   const HeightGrid& grid = *dem.grid;
-  const GDALDatasetUniquePtr file(
-      driver->Create(path.c_str(), grid.columns, grid.rows, 1, GDT_Float32, nullptr));
-  if (!file) throw std::runtime_error("cannot write " + path);
-  // GDAL's origin is the corner of the first pixel; posts are the middles of pixels.
-  const glm::dvec2 corner = dem.scene_xy_m({-0.5, -0.5});
-  const glm::dmat2& step = dem.step_m;
-  std::array<double, 6> geotransform{corner.x, step[0].x, step[1].x,
-                                     corner.y, step[0].y, step[1].y};
-  file->SetGeoTransform(geotransform.data());
-  std::vector<float> heights_m = grid.heights_m;
-  if (file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, grid.columns, grid.rows, heights_m.data(),
-                                       grid.columns, grid.rows, GDT_Float32, 0, 0,
-                                       nullptr) != CE_None)
-    throw std::runtime_error("cannot write " + path);
+  const glm::dvec2 first_m = dem.scene_xy_m({0, 0});
+  std::ofstream header(folder + "/dem.hdr");
+  header << std::setprecision(17) << "NROWS " << grid.rows << "\nNCOLS " << grid.columns
+         << "\nNBANDS 1\nNBITS 32\nPIXELTYPE FLOAT\nBYTEORDER I\nLAYOUT BIL\nULXMAP " << first_m.x
+         << "\nULYMAP " << first_m.y << "\nXDIM " << dem.step_m[0].x << "\nYDIM "
+         << -dem.step_m[1].y << '\n';
+  const std::string path = folder + "/dem.bil";
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(grid.heights_m.data()),
+             static_cast<std::streamsize>(grid.heights_m.size() * sizeof(float)));
+  if (!header.flush() || !file.flush()) throw std::runtime_error("cannot write " + path);
+  return path;
 }
 
 }  // namespace terrview
