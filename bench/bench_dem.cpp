@@ -22,9 +22,7 @@ double BenchDem::height_m(glm::dvec2 uv) const {
 }
 
 BenchDem make_bench_dem(std::string name, HeightGrid grid, const glm::dmat2& step_m) {
-  const HeightRange range = height_range(grid);
-  for (float& height_m : grid.heights_m)
-    if (std::isnan(height_m)) height_m = range.lowest_m;
+  cover_voids(grid);
   BenchDem dem{std::move(name), std::make_shared<const HeightGrid>(std::move(grid)), step_m};
   // Of the 24 bits of a float, 3 are left for fractions of a post.
   const double quantum_m = std::exp2(std::ceil(std::log2(dem.extent_m())) - 20);

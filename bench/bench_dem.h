@@ -30,9 +30,13 @@ struct BenchDem {
   [[nodiscard]] double height_m(glm::dvec2 uv) const;
 };
 
-// Rounds the steps by less than a two-hundred-thousandth of the extent, and gives posts without
-// data the lowest height: Embree's grids cannot have holes of one cell.
+// Rounds the steps by less than a two-hundred-thousandth of the extent, and covers posts without
+// data smoothly (cover_voids): Embree's grids cannot have holes of one cell.
 [[nodiscard]] BenchDem make_bench_dem(std::string name, HeightGrid grid, const glm::dmat2& step_m);
+
+// Gives every post without a height one between those around it: the mean of what lies around at
+// the finest scale that has any. Smooth enough that no cliff stands where nothing is known.
+void cover_voids(HeightGrid& grid);
 
 // Mountains of octaves of gradient noise (Perlin, SIGGRAPH 2002), 30 m posts, relief 2000 m.
 [[nodiscard]] BenchDem synthetic_mountains(int side_posts);

@@ -47,10 +47,14 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   line.add_flag("--quick", quick, "small scenes and pictures");
   line.add_option("--json", options.json, "write the results");
   line.add_option("--svg", options.svg, "draw speed against error");
+  line.add_flag("--tremble", options.tremble,
+                "instead: how the surface models differ, and how they move with the eye");
   line.add_option("--from", options.from, "show results that --json wrote instead of measuring");
   line.add_option("--scenes", options.scenes, "only these: synthetic, city, thesis, dem")
       ->delimiter(',');
   line.add_option("--views", options.views, "only these: horizon, gridline, ...")->delimiter(',');
+  line.add_option("--rays", options.rays, "only these: primary, shadow, file-to-png")
+      ->delimiter(',');
   line.add_option("--contenders", options.contenders,
                   "only these names; * at the end stands for the rest")
       ->delimiter(',');
@@ -77,6 +81,7 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   if (options.threads.empty()) options.threads = one_and_all_threads();
   check_names("--scenes", options.scenes, {"synthetic", "city", "thesis", "dem"});
   check_names("--views", options.views, {"horizon", "gridline", "valley", "oblique", "down", "up"});
+  check_names("--rays", options.rays, {"primary", "shadow", "file-to-png"});
   return options;
 }
 

@@ -13,10 +13,12 @@ struct BenchOptions {
   std::vector<std::string> dems;  // files
   std::string json;               // outputs; empty = none
   std::string svg;
-  std::string from;  // results to show instead of measuring
+  bool tremble = false;  // the study of surfaces instead
+  std::string from;      // results to show instead of measuring
   // Of what there is, only these; empty = all.
   std::vector<std::string> scenes;      // synthetic, city, thesis, and the files' names
   std::vector<std::string> views;       // as in the results
+  std::vector<std::string> rays;        // primary, shadow, file-to-png
   std::vector<std::string> contenders;  // names; '*' at the end stands for the rest
   std::vector<int> threads;             // empty = 1 and all
   int repetitions = 7;

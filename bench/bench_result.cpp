@@ -15,6 +15,9 @@ void visit_fields(Result& result, Visit visit) {
   visit("threads", result.threads);
   visit("surface", result.surface);
   visit("mrays_per_s", result.mrays_per_s);
+  visit("ray_count", result.ray_count);
+  visit("hit_share", result.hit_share);
+  visit("seconds", result.seconds);
   visit("tests_per_ray", result.tests_per_ray);
   visit("nodes_per_ray", result.nodes_per_ray);
   visit("build_s", result.build_s);

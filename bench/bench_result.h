@@ -15,11 +15,14 @@ namespace terrview {
 struct BenchResult {
   std::string dem;
   std::string view;
-  std::string rays;  // primary or shadow
+  std::string rays;  // primary, shadow or file-to-png (both, and all that goes with them)
   std::string contender;
   int threads = 1;
   std::optional<std::string> surface;
   double mrays_per_s = 0;  // set-up of the rays, tracing, writing the frame; the median
+  std::int64_t ray_count = 0;
+  std::optional<double> hit_share;  // of the rays that meet ground, in the double reference
+  std::optional<double> seconds;    // from file to PNG
   std::optional<double> tests_per_ray;
   std::optional<double> nodes_per_ray;
   std::optional<double> build_s;

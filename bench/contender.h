@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bench/bench_dem.h"
+#include "bench/bench_earth.h"
 #include "bench/bench_view.h"
 #include "bench/traced_frame.h"
 #include "terrain/terrain.h"
@@ -33,17 +34,28 @@ struct ViewTracer {
 struct Contender {
   std::string name;
   std::optional<SurfaceModel> surface;  // none: it traces nothing
-  std::optional<double> build_s;        // once per DEM, with all threads
-  std::optional<double> memory_mib;     // beyond the heights
+  BenchEarth earth = BenchEarth::flat;
+  std::optional<double> build_s;     // once per DEM, with all threads
+  std::optional<double> ready_s;     // the same with buffers: from heights to the first ray
+  std::optional<double> memory_mib;  // beyond the heights
   std::function<ViewTracer(const BenchView&)> place;
 };
 
-// Those of terrview, ready to trace `dem`, which must outlive them; and one that only writes the
-// frame, which none can beat.
-[[nodiscard]] std::vector<Contender> terrview_contenders(const BenchDem& dem);
+using IsWanted = std::function<bool(const std::string& contender)>;
 
-// Those of Embree; none where the build found no Embree.
-[[nodiscard]] std::vector<Contender> embree_contenders(const BenchDem& dem);
+// Those of terrview that are wanted, ready to trace `dem`, which must outlive them; and one that
+// only writes the frame, which none can beat.
+[[nodiscard]] std::vector<Contender> terrview_contenders(const BenchDem& dem,
+                                                         const IsWanted& is_wanted);
+
+// Those of Embree; none where the build found no Embree. Only the geometries wanted are built.
+[[nodiscard]] std::vector<Contender> embree_contenders(const BenchDem& dem,
+                                                       const IsWanted& is_wanted);
+
+// The default way of terrview over curved and bent ground.
+inline constexpr const char* kDefaultWay = "terrview";
+inline constexpr const char* kCurvedWay = "terrview-curved";
+inline constexpr const char* kBentWay = "terrview-bent";
 
 // "3.13.5", or empty.
 [[nodiscard]] std::string embree_version();

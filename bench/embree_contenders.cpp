@@ -1,6 +1,8 @@
 #include <array>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "bench/contender.h"
 #include "bench/embree_ground.h"
@@ -12,6 +14,30 @@ namespace {
 
 constexpr std::array<const char*, 6> kCallNames{"1",         "8",      "16",
                                                 "16-square", "stream", "stream-square"};
+
+struct Kind {
+  const char* name;
+  EmbreeGeometry geometry;
+  std::vector<EmbreeCalls> calls;
+};
+
+// The packets that win for each, the one ray at a time that others start from.
+const std::vector<Kind> kKinds{
+    {"embree-tri",
+     EmbreeGeometry::triangles,
+     {EmbreeCalls::single, EmbreeCalls::packet8, EmbreeCalls::packet16,
+      EmbreeCalls::packet16_square, EmbreeCalls::stream, EmbreeCalls::stream_square}},
+    {"embree-compact",
+     EmbreeGeometry::compact_triangles,
+     {EmbreeCalls::packet16, EmbreeCalls::stream}},
+    {"embree-grid",
+     EmbreeGeometry::grid,
+     {EmbreeCalls::single, EmbreeCalls::packet8, EmbreeCalls::packet16,
+      EmbreeCalls::packet16_square}}};
+
+std::string name_of(const Kind& kind, EmbreeCalls calls) {
+  return std::string(kind.name) + "-" + kCallNames[static_cast<std::size_t>(calls)];
+}
 
 int bands(int rows_px, int rows_in_band) { return (rows_px + rows_in_band - 1) / rows_in_band; }
 
@@ -34,33 +60,28 @@ Contender contender(const std::string& name, const std::shared_ptr<const EmbreeG
                   return FrameWork{};
                 }};
   };
-  return {.name = name + "-" + kCallNames[static_cast<std::size_t>(calls)],
+  return {.name = name,
           .surface = SurfaceModel::triangles,
+          .earth = BenchEarth::flat,
           .build_s = ground->build_s(),
+          .ready_s = ground->ready_s(),
           .memory_mib = ground->memory_mib(),
           .place = place};
 }
 
 }  // namespace
 
-std::vector<Contender> embree_contenders(const BenchDem& dem) {
+std::vector<Contender> embree_contenders(const BenchDem& dem, const IsWanted& is_wanted) {
   const auto threads = static_cast<int>(std::thread::hardware_concurrency());
-  const auto build = [&](EmbreeGeometry geometry) {
-    return std::make_shared<const EmbreeGround>(dem, geometry, threads);
-  };
-  const auto triangles = build(EmbreeGeometry::triangles);
-  const auto compact = build(EmbreeGeometry::compact_triangles);
-  const auto grid = build(EmbreeGeometry::grid);
   std::vector<Contender> contenders;
-  for (const EmbreeCalls calls :
-       {EmbreeCalls::single, EmbreeCalls::packet8, EmbreeCalls::packet16,
-        EmbreeCalls::packet16_square, EmbreeCalls::stream, EmbreeCalls::stream_square})
-    contenders.push_back(contender("embree-tri", triangles, calls));
-  for (const EmbreeCalls calls : {EmbreeCalls::packet16, EmbreeCalls::stream})
-    contenders.push_back(contender("embree-compact", compact, calls));
-  for (const EmbreeCalls calls : {EmbreeCalls::single, EmbreeCalls::packet8, EmbreeCalls::packet16,
-                                  EmbreeCalls::packet16_square})
-    contenders.push_back(contender("embree-grid", grid, calls));
+  for (const Kind& kind : kKinds) {
+    std::shared_ptr<const EmbreeGround> ground;
+    for (const EmbreeCalls calls : kind.calls) {
+      if (!is_wanted(name_of(kind, calls))) continue;
+      if (!ground) ground = std::make_shared<const EmbreeGround>(dem, kind.geometry, threads);
+      contenders.push_back(contender(name_of(kind, calls), ground, calls));
+    }
+  }
   return contenders;
 }
 

@@ -30,6 +30,9 @@ class EmbreeGround {
   // rtcCommitScene alone: filling the buffers is not counted.
   [[nodiscard]] double build_s() const { return build_s_; }
 
+  // Filling the buffers and rtcCommitScene.
+  [[nodiscard]] double ready_s() const { return ready_s_; }
+
   // What Embree's memory monitor holds after the build: vertices, indices and the hierarchy.
   [[nodiscard]] double memory_mib() const;
 
@@ -59,6 +62,7 @@ class EmbreeGround {
   std::vector<Tile> tiles_;
   std::int32_t cells_in_row_;
   double build_s_ = 0;
+  double ready_s_ = 0;
 };
 
 }  // namespace terrview

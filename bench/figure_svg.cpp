@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "bench/contender.h"
 #include "bench/report.h"
 
 namespace terrview {
@@ -149,6 +150,7 @@ std::vector<Panel> panels_of(const BenchRun& run) {
   std::vector<Panel> panels;
   for (const BenchResult& result : run.results) {
     if (result.rays != "primary" || result.threads != threads || !result.max_rel_error) continue;
+    if (result.contender == kCurvedWay || result.contender == kBentWay) continue;
     const std::string title = result.dem + ", " + result.view;
     if (panels.empty() || panels.back().first != title) panels.push_back({title, {}});
     panels.back().second.push_back(&result);

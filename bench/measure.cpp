@@ -19,6 +19,14 @@ struct Reference {
   TracedFrame frame;
   ShadowRays rays;
   ShadowFrame shadow;
+
+  [[nodiscard]] double hit_share() const {
+    return static_cast<double>(rays.count) / static_cast<double>(frame.pixels());
+  }
+  [[nodiscard]] double shadow_share() const {
+    return static_cast<double>(std::count(shadow.begin(), shadow.end(), 1)) /
+           static_cast<double>(rays.count);
+  }
 };
 
 Reference make_reference(const Terrain& terrain, const BenchView& view) {
@@ -30,14 +38,18 @@ Reference make_reference(const Terrain& terrain, const BenchView& view) {
   return {std::move(frame), std::move(rays), std::move(shadow)};
 }
 
-std::map<SurfaceModel, Reference> make_references(const BenchDem& dem, const BenchView& view,
-                                                  const std::vector<Contender>& contenders) {
-  std::map<SurfaceModel, Reference> references;
-  for (const Contender& contender : contenders)
-    if (contender.surface && !references.contains(*contender.surface))
-      references.emplace(
-          *contender.surface,
-          make_reference(terrain_of(dem, view, *contender.surface, Search::plain), view));
+using Ground = std::pair<SurfaceModel, BenchEarth>;
+
+Ground ground_of(const Contender& contender) { return {*contender.surface, contender.earth}; }
+
+std::map<Ground, Reference> make_references(const BenchDem& dem, const BenchView& view,
+                                            const std::vector<Contender>& contenders) {
+  std::map<Ground, Reference> references;
+  for (const Contender& contender : contenders) {
+    if (!contender.surface || references.contains(ground_of(contender))) continue;
+    const auto terrain = terrain_on(contender.earth, dem, view, *contender.surface, Search::plain);
+    references.emplace(ground_of(contender), make_reference(*terrain, view));
+  }
   return references;
 }
 
@@ -57,6 +69,7 @@ double seconds_now(int threads) {
 
 void set_speed(BenchResult& result, const FrameWork& work, std::int64_t rays, double seconds) {
   const auto count = static_cast<double>(rays);
+  result.ray_count = rays;
   result.mrays_per_s = count / seconds / 1e6;
   if (work.tests) result.tests_per_ray = static_cast<double>(*work.tests) / count;
   if (work.nodes) result.nodes_per_ray = static_cast<double>(*work.nodes) / count;
@@ -129,7 +142,7 @@ class Measurement {
         references_(make_references(dem, view, contenders)) {
     for (const Contender& contender : contenders)
       entries_.push_back({contender, contender.place(view),
-                          contender.surface ? &references_.at(*contender.surface) : nullptr});
+                          contender.surface ? &references_.at(ground_of(contender)) : nullptr});
   }
 
   [[nodiscard]] std::vector<BenchResult> primary(int threads) const {
@@ -139,8 +152,10 @@ class Measurement {
       round.add([&] { return entry.tracer.primary(threads, frame); },
                 static_cast<std::int64_t>(frame.pixels()), describe(entry, "primary", threads));
     return round.time([&](std::size_t i, BenchResult& result) {
-      if (entries_[i].reference)
-        set_errors(result, trace_errors(entries_[i].reference->frame, frame));
+      if (const Reference* reference = entries_[i].reference) {
+        set_errors(result, trace_errors(reference->frame, frame));
+        result.hit_share = reference->hit_share();
+      }
       frame.clear();  // so that no contender passes off what another wrote
     });
   }
@@ -148,15 +163,16 @@ class Measurement {
   [[nodiscard]] std::vector<BenchResult> shadow(int threads) const {
     ShadowFrame frame(TracedFrame(view_.camera.options().size_px).pixels());
     Round round(options_, threads);
-    std::vector<const ShadowFrame*> expected;
+    std::vector<const Reference*> expected;
     for (const Entry& entry : entries_) {
       if (!entry.tracer.shadow || entry.reference->rays.count == 0) continue;
       round.add([&] { return entry.tracer.shadow(entry.reference->rays, threads, frame); },
                 entry.reference->rays.count, describe(entry, "shadow", threads));
-      expected.push_back(&entry.reference->shadow);
+      expected.push_back(entry.reference);
     }
     return round.time([&](std::size_t i, BenchResult& result) {
-      result.hit_flips = shadow_flips(*expected[i], frame);
+      result.hit_flips = shadow_flips(expected[i]->shadow, frame);
+      result.hit_share = expected[i]->shadow_share();
       constexpr std::uint8_t kNeverWritten = 2;
       std::fill(frame.begin(), frame.end(), kNeverWritten);
     });
@@ -185,7 +201,7 @@ class Measurement {
   const BenchDem& dem_;
   const BenchView& view_;
   const MeasureOptions& options_;
-  std::map<SurfaceModel, Reference> references_;
+  std::map<Ground, Reference> references_;
   std::vector<Entry> entries_;
 };
 
@@ -200,8 +216,14 @@ std::vector<BenchResult> measure(const BenchDem& dem, const BenchView& view,
     results.insert(results.end(), std::make_move_iterator(more.begin()),
                    std::make_move_iterator(more.end()));
   };
-  for (const int threads : options.threads) append(measurement.primary(threads));
-  for (const int threads : options.threads) append(measurement.shadow(threads));
+  const auto wants = [&](const char* rays) {
+    return options.rays.empty() ||
+           std::find(options.rays.begin(), options.rays.end(), rays) != options.rays.end();
+  };
+  for (const int threads : options.threads)
+    if (wants("primary")) append(measurement.primary(threads));
+  for (const int threads : options.threads)
+    if (wants("shadow")) append(measurement.shadow(threads));
   return results;
 }
 

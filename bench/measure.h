@@ -2,6 +2,7 @@
 // One thread is timed by its processor time, several by the wall clock.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "bench/bench_result.h"
@@ -10,6 +11,7 @@
 namespace terrview {
 
 struct MeasureOptions {
+  std::vector<std::string> rays;  // primary, shadow; empty = both
   std::vector<int> threads{1};
   int repetitions = 5;  // medians are taken of these
   double budget_s = 3;  // a contender that has spent more sits out the repetitions left

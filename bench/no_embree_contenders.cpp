@@ -2,7 +2,9 @@
 
 namespace terrview {
 
-std::vector<Contender> embree_contenders(const BenchDem& /*dem*/) { return {}; }
+std::vector<Contender> embree_contenders(const BenchDem& /*dem*/, const IsWanted& /*is_wanted*/) {
+  return {};
+}
 
 std::string embree_version() { return {}; }
 

@@ -7,11 +7,17 @@
 #include <ostream>
 #include <tuple>
 
+#include "bench/contender.h"
+
 namespace terrview {
 namespace {
 
 auto group_of(const BenchResult& result) {
   return std::tie(result.dem, result.view, result.rays, result.threads);
+}
+
+std::string threads_of(const BenchResult& result) {
+  return std::to_string(result.threads) + (result.threads == 1 ? " thread" : " threads");
 }
 
 bool is_embree(const BenchResult& result) { return result.contender.starts_with("embree"); }
@@ -43,8 +49,13 @@ void print_row(std::ostream& out, const std::array<std::string, kWidths.size()>&
 void print_group(std::ostream& out, std::vector<BenchResult> group) {
   const BenchResult& head = group[0];
   out << '\n'
-      << head.dem << ", " << head.view << ", " << head.rays << " rays, " << head.threads
-      << (head.threads == 1 ? " thread\n" : " threads\n");
+      << head.dem << ", " << head.view << ", " << head.rays << " rays, " << threads_of(head);
+  const auto with_share = std::find_if(group.begin(), group.end(), [](const BenchResult& result) {
+    return result.hit_share.has_value();
+  });
+  if (with_share != group.end())
+    out << format(", %.1f %% meet ground", 100 * *with_share->hit_share);
+  out << '\n';
   print_row(out, {"contender", "surface", "Mray/s", "ns/ray", "x Embree", "tests", "nodes",
                   "build s", "MiB", "cells diff", "flips", "p99 error", "max error"});
   double best_embree = 0;
@@ -63,6 +74,15 @@ void print_group(std::ostream& out, std::vector<BenchResult> group) {
                     cell("%.2g", result.p99_rel_error), cell("%.2g", result.max_rel_error)});
 }
 
+// The result of the same rays on the same threads by another contender.
+const BenchResult* beside(const std::vector<BenchResult>& results, const BenchResult& one,
+                          const std::string& contender) {
+  const auto found = std::find_if(results.begin(), results.end(), [&](const BenchResult& other) {
+    return group_of(other) == group_of(one) && other.contender == contender;
+  });
+  return found == results.end() ? nullptr : &*found;
+}
+
 struct ThesisFigure {
   const char* view;
   const char* photo;
@@ -79,7 +99,7 @@ void print_view(std::ostream& out, const std::vector<BenchResult>& results) {
     const auto last = std::find_if(first, results.end(), [&](const BenchResult& result) {
       return group_of(result) != group_of(*first);
     });
-    print_group(out, {first, last});
+    if (!first->seconds) print_group(out, {first, last});
     first = last;
   }
 }
@@ -98,6 +118,40 @@ void print_thesis(std::ostream& out, const std::vector<BenchResult>& results) {
           << pad(format("%.2f", *result.tests_per_ray), 8, false) << "   thesis " << figure.plain
           << ", with coherence " << figure.coherent << '\n';
     }
+  }
+}
+
+void print_to_png(std::ostream& out, const std::vector<BenchResult>& results) {
+  bool first = true;
+  for (const BenchResult& result : results) {
+    if (!result.seconds) continue;
+    if (first)
+      out << "\nFrom file to PNG with shadows; of Embree reading, building and the rays alone\n";
+    first = false;
+    const BenchResult* ours = beside(results, result, kDefaultWay);
+    out << "  " << pad(result.dem, 18, true) << pad(result.view, 10, true)
+        << pad(threads_of(result), 12, true) << pad(result.contender, 26, true)
+        << pad(format("%.3f s", *result.seconds), 10, false);
+    if (ours) out << pad(format("%.2f x terrview", *result.seconds / *ours->seconds), 18, false);
+    out << '\n';
+  }
+}
+
+void print_earth(std::ostream& out, const std::vector<BenchResult>& results) {
+  bool first = true;
+  for (const BenchResult& flat : results) {
+    if (flat.contender != kDefaultWay) continue;
+    const BenchResult* curved = beside(results, flat, kCurvedWay);
+    const BenchResult* bent = beside(results, flat, kBentWay);
+    if (!curved && !bent) continue;
+    if (first) out << "\nTime on the curved Earth over that on a flat one: straight tracks, bent\n";
+    first = false;
+    const auto ratio = [&](const BenchResult* other) {
+      return other ? format("%.2f", flat.mrays_per_s / other->mrays_per_s) : "-";
+    };
+    out << "  " << pad(flat.dem, 18, true) << pad(flat.view, 10, true) << pad(flat.rays, 9, true)
+        << pad(threads_of(flat), 12, true) << pad(ratio(curved), 8, false)
+        << pad(ratio(bent), 8, false) << '\n';
   }
 }
 

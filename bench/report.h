@@ -16,8 +16,16 @@ void print_view(std::ostream& out, const std::vector<BenchResult>& results);
 // Tests per ray beside those of Coquillart 1984; nothing where no result is of the thesis's grid.
 void print_thesis(std::ostream& out, const std::vector<BenchResult>& results);
 
+// From file to PNG; nothing where no result is of that.
+void print_to_png(std::ostream& out, const std::vector<BenchResult>& results);
+
+// The time of a ray on the curved Earth over that on a flat one, tracks all but straight and bent;
+// nothing where not measured.
+void print_earth(std::ostream& out, const std::vector<BenchResult>& results);
+
 // Speed against error, SVG: one panel per DEM and view, one mark per contender, primary rays, the
-// fewest threads measured. Logarithmic axes; an error of zero stands in a column of its own.
+// fewest threads measured, a flat Earth. Logarithmic axes; an error of zero stands in a column of
+// its own.
 [[nodiscard]] std::string figure_svg(const BenchRun& run);
 
 }  // namespace terrview

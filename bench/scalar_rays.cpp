@@ -56,18 +56,23 @@ FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
 
 FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
                      int threads, ShadowFrame& frame) {
+  std::atomic<std::int64_t> tests = 0;
+  std::atomic<std::int64_t> nodes = 0;
   parallel_for(rays.size_px.y, threads, [&](int row) {
+    TraceCounts counts;
     const auto width = static_cast<std::size_t>(rays.size_px.x);
     const std::size_t first = static_cast<std::size_t>(row) * width;
     for (std::size_t i = first; i < first + width; ++i) {
       const glm::dvec3 from_m(rays.x_m[i], rays.y_m[i], rays.z_m[i]);
       const bool stopped =
           !std::isnan(rays.x_m[i]) &&
-          terrain.occluded({.origin_m = from_m - view.eye_m, .direction = view.to_sun});
+          terrain.occluded({.origin_m = from_m - view.eye_m, .direction = view.to_sun}, &counts);
       frame[i] = stopped ? 1 : 0;
     }
+    tests += counts.tests;
+    nodes += counts.nodes;
   });
-  return {};
+  return {.tests = tests, .nodes = nodes};
 }
 
 ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const TracedFrame& frame) {
@@ -81,11 +86,13 @@ ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const Trac
       const Ray ray = view.camera.ray({column + 0.5, row + 0.5});
       const glm::dvec3 hit_m = view.eye_m + frame.distance_m[i] * glm::normalize(ray.direction);
       const glm::dvec2 xy_m(round_to_float(hit_m.x), round_to_float(hit_m.y));
-      const auto ground = terrain.ground_at(xy_m - glm::dvec2(view.eye_m));
+      const glm::dvec2 ground_m = xy_m - glm::dvec2(view.eye_m);
+      const auto ground = terrain.ground_at(ground_m);
       if (!ground) continue;  // rounded away over an edge of the ground
       rays.x_m[i] = static_cast<float>(xy_m.x);
       rays.y_m[i] = static_cast<float>(xy_m.y);
-      rays.z_m[i] = round_up(ground->scene_height_m + kLift_m);
+      const double z_m = terrain.frame().at(ground_m).z_m(ground->scene_height_m);
+      rays.z_m[i] = round_up(view.eye_m.z + z_m + kLift_m);
       ++count;
     }
   });

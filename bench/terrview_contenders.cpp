@@ -11,7 +11,6 @@
 #include "bench/scalar_rays.h"
 #include "render/parallel.h"
 #include "terrain/column_tracer.h"
-#include "terrain/eye_tracer.h"
 #include "terrain/height_pyramid.h"
 
 namespace terrview {
@@ -19,14 +18,15 @@ namespace {
 
 struct Method {
   const char* name;
+  SurfaceModel surface;
   Search search;
+  BenchEarth earth = BenchEarth::flat;
 };
 
 // Rays one by one, scalar, in double precision.
-Contender scalar(const BenchDem& dem, const Method& method, SurfaceModel surface) {
-  const auto place = [&dem, method, surface](const BenchView& view) -> ViewTracer {
-    const auto terrain =
-        std::make_shared<const Terrain>(terrain_of(dem, view, surface, method.search));
+Contender scalar(const BenchDem& dem, const Method& method) {
+  const auto place = [&dem, method](const BenchView& view) -> ViewTracer {
+    const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
     return {.primary =
                 [terrain, &view](int threads, TracedFrame& frame) {
                   return trace_rays(*terrain, view.camera, threads, frame);
@@ -36,7 +36,13 @@ Contender scalar(const BenchDem& dem, const Method& method, SurfaceModel surface
                   return shade_rays(*terrain, view, rays, threads, frame);
                 }};
   };
-  return {.name = method.name, .surface = surface, .build_s = {}, .memory_mib = {}, .place = place};
+  return {.name = method.name,
+          .surface = method.surface,
+          .earth = method.earth,
+          .build_s = {},
+          .ready_s = {},
+          .memory_mib = {},
+          .place = place};
 }
 
 // Columns of the image that are vertical planes, in strips; as the renderer takes them.
@@ -64,80 +70,16 @@ FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threa
   return {.tests = tests, .nodes = nodes};
 }
 
-// Rays in blocks of the image, by the view's front; as the renderer takes them.
-FrameWork trace_blocks(const EyeFront& front, const Camera& camera, int threads,
-                       TracedFrame& frame) {
-  constexpr int kWide_px = 32;
-  constexpr int kHigh_px = static_cast<int>(EyeRays::kMost) / kWide_px;
-  std::atomic<std::int64_t> tests = 0;
-  std::atomic<std::int64_t> nodes = 0;
-  const glm::ivec2 size_px = frame.size_px;
-  const int cells_in_row = front.terrain().layers()[0].grid->columns - 1;
-  parallel_for((size_px.y + kHigh_px - 1) / kHigh_px, threads, [&](int band) {
-    const auto rays = std::make_unique<EyeRays>();
-    const auto normals = std::make_unique<EyeNormals>();
-    TraceCounts counts;
-    const int rows = std::min(kHigh_px, size_px.y - band * kHigh_px);
-    for (int left = 0; left < size_px.x; left += kWide_px) {
-      const int columns = std::min(kWide_px, size_px.x - left);
-      std::size_t i = 0;
-      for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column, ++i) {
-          const Ray ray = camera.ray({left + column + 0.5, band * kHigh_px + row + 0.5});
-          rays->direction_x[i] = ray.direction.x;
-          rays->direction_y[i] = ray.direction.y;
-          rays->direction_z[i] = ray.direction.z;
-        }
-      rays->count = i;
-      trace(front, *rays, counts);
-      facet_normals(front.terrain(), *rays, *normals);
-      i = 0;
-      for (int row = 0; row < rows; ++row) {
-        std::size_t pixel = frame.index(left, band * kHigh_px + row);
-        for (int column = 0; column < columns; ++column, ++i, ++pixel) {
-          const bool hit = rays->is_hit(i);
-          frame.distance_m[pixel] = hit ? rays->ground_m[i] * std::sqrt(1 + rays->slope[i] * rays->slope[i])
-                                        : std::numeric_limits<double>::infinity();
-          frame.cell[pixel] =
-              hit ? static_cast<std::int32_t>(rays->row[i]) * cells_in_row + static_cast<std::int32_t>(rays->column[i]) : kNoCell;
-          frame.normal_east[pixel] = hit ? static_cast<float>(normals->x[i]) : 0;
-          frame.normal_north[pixel] = hit ? static_cast<float>(normals->y[i]) : 0;
-        }
-      }
-    }
-    tests += counts.tests;
-    nodes += counts.nodes;
-  });
-  return {.tests = tests, .nodes = nodes};
-}
-
-Contender by_front(const BenchDem& dem) {
-  Contender contender = scalar(dem, {"terrview-front", Search::pyramid}, SurfaceModel::hyperboloid);
-  const auto ceilings = std::make_shared<const HeightCeilings>(*dem.grid);
-  contender.place = [&dem, ceilings, scalar_place = contender.place](const BenchView& view) {
-    ViewTracer tracer = scalar_place(view);
-    const auto terrain = std::make_shared<const Terrain>(
-        terrain_of(dem, view, SurfaceModel::hyperboloid, Search::pyramid));
-    tracer.primary = [terrain, ceilings, &view](int threads, TracedFrame& frame) {
-        static const double px = getenv("WPX") ? atof(getenv("WPX")) : 4.0;
-        const EyeFront front(*terrain, *ceilings, EyeFrontOptions{.wedge_rad = px * view.camera.options().fov_rad / view.camera.options().size_px.x});
-        return trace_blocks(front, view.camera, threads, frame);
-      };
-    tracer.shadow = {};
-    return tracer;
-  };
-  return contender;
-}
-
 // The way the program goes by default.
-Contender default_way(const BenchDem& dem) {
-  Contender contender = scalar(dem, {"terrview", Search::pyramid}, SurfaceModel::hyperboloid);
-  contender.place = [&dem, scalar_place = contender.place](const BenchView& view) {
+Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
+  const Method method{name, SurfaceModel::hyperboloid, Search::pyramid, earth};
+  Contender contender = scalar(dem, method);
+  contender.place = [&dem, method, scalar_place = contender.place](const BenchView& view) {
     ViewTracer tracer = scalar_place(view);
-    const auto terrain = std::make_shared<const Terrain>(
-        terrain_of(dem, view, SurfaceModel::hyperboloid, Search::pyramid));
     const auto columns = column_view(view.camera);
-    if (columns && has_columns(*terrain))
+    if (!columns) return tracer;
+    const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
+    if (has_columns(*terrain))
       tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
         return trace_strips(*terrain, columns, threads, frame);
       };
@@ -180,25 +122,32 @@ Contender frame_writer() {
   const auto place = [](const BenchView& /*view*/) -> ViewTracer {
     return {.primary = write_frame, .shadow = {}};
   };
-  return {.name = "write-frame", .surface = {}, .build_s = {}, .memory_mib = {}, .place = place};
+  return {.name = "write-frame",
+          .surface = {},
+          .earth = BenchEarth::flat,
+          .build_s = {},
+          .ready_s = {},
+          .memory_mib = {},
+          .place = place};
 }
 
 }  // namespace
 
-std::vector<Contender> terrview_contenders(const BenchDem& dem) {
-  const Built pyramid = build_pyramid(*dem.grid);
-  std::vector<Contender> contenders{frame_writer()};
-  const auto add_built = [&](Contender contender) {
-    contender.build_s = pyramid.seconds;
-    contender.memory_mib = pyramid.mib;
-    contenders.push_back(std::move(contender));
-  };
-  add_built(default_way(dem));
-  add_built(by_front(dem));
+std::vector<Contender> terrview_contenders(const BenchDem& dem, const IsWanted& is_wanted) {
+  std::vector<Contender> contenders{frame_writer(), default_way(dem, kDefaultWay, BenchEarth::flat),
+                                    default_way(dem, kCurvedWay, BenchEarth::curved),
+                                    default_way(dem, kBentWay, BenchEarth::bent)};
   for (const SurfaceModel surface :
        {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
-    contenders.push_back(scalar(dem, {"terrview-plain", Search::plain}, surface));
-    add_built(scalar(dem, {"terrview-pyramid", Search::pyramid}, surface));
+    contenders.push_back(scalar(dem, {"terrview-plain", surface, Search::plain}));
+    contenders.push_back(scalar(dem, {"terrview-pyramid", surface, Search::pyramid}));
+  }
+  std::erase_if(contenders, [&](const Contender& each) { return !is_wanted(each.name); });
+  const Built pyramid = build_pyramid(*dem.grid);
+  for (Contender& each : contenders) {
+    if (!each.surface || each.name == "terrview-plain") continue;
+    each.build_s = pyramid.seconds;
+    each.memory_mib = pyramid.mib;
   }
   return contenders;
 }

@@ -65,9 +65,25 @@ GridWalk::GridWalk(const HeightGrid& grid, const GroundMap& map, SurfaceModel mo
 }
 
 bool GridWalk::next_piece() {
-  if (piece_.end_m >= to_m_) return false;
-  piece_ = track_piece(map_, ground_line_, piece_.end_m, piece_.end, to_m_);
+  const TrackPiece* next = piece_ahead(1);
+  if (!next) return false;
+  piece_ = *next;
+  ++next_ahead_;
   return true;
+}
+
+const TrackPiece* GridWalk::piece_ahead(std::size_t count) {
+  while (ahead_.size() - next_ahead_ < count) {
+    const TrackPiece& last = ahead_.size() == next_ahead_ ? piece_ : ahead_.back();
+    if (last.end_m >= to_m_) return nullptr;
+    const TrackPiece next = track_piece(map_, ground_line_, last.end_m, last.end, to_m_);
+    if (ahead_.size() == next_ahead_) {
+      ahead_.clear();
+      next_ahead_ = 0;
+    }
+    ahead_.push_back(next);
+  }
+  return count == 0 ? &piece_ : &ahead_[next_ahead_ + count - 1];
 }
 
 bool GridWalk::enter() {
@@ -95,8 +111,8 @@ void GridWalk::stand_at(double g_m, glm::dvec2 uv) {
   last_ = inside_point(g_m, uv);
 }
 
-double GridWalk::line_m(int axis, double line) const {
-  return std::max(last_.g_m, piece_.begin_m + (line - piece_.start[axis]) * piece_.metres[axis]);
+double GridWalk::line_m(const TrackPiece& piece, int axis, double line) const {
+  return std::max(last_.g_m, piece.begin_m + (line - piece.start[axis]) * piece.metres[axis]);
 }
 
 GridWalk::Event GridWalk::nearest_line() const {
@@ -105,8 +121,8 @@ GridWalk::Event GridWalk::nearest_line() const {
   const auto consider = [&](double g_m, Line line) {
     if (g_m < event.g_m) event = {g_m, line};
   };
-  if (rate.x != 0) consider(line_m(0, next_line(cell_.x, rate.x)), Line::column);
-  if (rate.y != 0) consider(line_m(1, next_line(cell_.y, rate.y)), Line::row);
+  if (rate.x != 0) consider(line_m(piece_, 0, next_line(cell_.x, rate.x)), Line::column);
+  if (rate.y != 0) consider(line_m(piece_, 1, next_line(cell_.y, rate.y)), Line::row);
   if (model_ == SurfaceModel::triangles) {
     const double turn = rate.x - rate.y;
     if (north_east_ ? turn < 0 : turn > 0) {
@@ -176,33 +192,67 @@ void GridWalk::stop_outside() {
   if (!next_piece()) last_.g_m = kNever;
 }
 
-std::optional<GridWalk::BlockExit> GridWalk::block_exit(int level) const {
+GridWalk::Block GridWalk::block_around(int level) const {
   const glm::ivec2 first((cell_.x >> level) << level, (cell_.y >> level) << level);
   const int side = 1 << level;
-  const glm::ivec2 after(std::min(first.x + side, grid_.columns - 1),
-                         std::min(first.y + side, grid_.rows - 1));
+  return {first,
+          {std::min(first.x + side, grid_.columns - 1) - 1,
+           std::min(first.y + side, grid_.rows - 1) - 1}};
+}
+
+std::optional<GridWalk::BlockExit> GridWalk::exit_on(const TrackPiece& piece,
+                                                     const Block& block) const {
   const auto leaves = [&](int axis) {
-    const double rate = piece_.rate[axis];
-    return rate == 0 ? kNever : line_m(axis, rate > 0 ? after[axis] : first[axis]);
+    const double rate = piece.rate[axis];
+    return rate == 0 ? kNever
+                     : line_m(piece, axis, rate > 0 ? block.last[axis] + 1 : block.first[axis]);
   };
   const double column_m = leaves(0);
   const double row_m = leaves(1);
   const double g_m = std::min(column_m, row_m);
-  if (!(g_m <= piece_.end_m)) return std::nullopt;
-  return BlockExit{g_m, column_m <= row_m};
+  if (!(g_m <= piece.end_m)) return std::nullopt;
+  return BlockExit{g_m, column_m <= row_m, 0, cell_};
 }
 
-int GridWalk::cell_at_exit(int axis, int low, int high, const BlockExit& exit) const {
-  const int here = cell_[axis];
-  const double rate = piece_.rate[axis];
+std::optional<GridWalk::BlockExit> GridWalk::block_exit(int level) {
+  const Block block = block_around(level);
+  if (const auto exit = exit_on(piece_, block)) return exit;
+  return exit_ahead(block);
+}
+
+std::optional<GridWalk::BlockExit> GridWalk::exit_ahead(const Block& block) {
+  glm::ivec2 cell = cell_;
+  for (std::size_t count = 1; const TrackPiece* next = piece_ahead(count); ++count) {
+    const TrackPiece& done = *piece_ahead(count - 1);
+    for (int axis = 0; axis < 2; ++axis) {
+      cell[axis] = cell_reached(done, axis, cell[axis], block, {done.end_m, true});
+      // A line that lies behind the knot by rounding would be crossed where the walk then stands,
+      // which only the walk itself knows.
+      const double rate = next->rate[axis];
+      if (rate != 0 && line_m(*next, axis, next_line(cell[axis], rate)) < next->begin_m)
+        return std::nullopt;
+    }
+    if (auto exit = exit_on(*next, block)) {
+      exit->pieces_ahead = count;
+      exit->cell = cell;
+      return exit;
+    }
+  }
+  return std::nullopt;
+}
+
+int GridWalk::cell_reached(const TrackPiece& piece, int axis, int here, const Block& block,
+                           const Limit& limit) const {
+  const double rate = piece.rate[axis];
   if (rate == 0) return here;
-  // At a corner the walk crosses columns first.
+  const int low = block.first[axis];
+  const int high = block.last[axis];
   const auto is_crossed = [&](int line) {
-    const double g_m = line_m(axis, line);
-    return exit.over_column ? g_m < exit.g_m : g_m <= exit.g_m;
+    const double g_m = line_m(piece, axis, line);
+    return limit.inclusive ? g_m <= limit.g_m : g_m < limit.g_m;
   };
   // Rounding may have put the point on the wrong side of a line.
-  int cell = std::clamp(static_cast<int>(std::floor(piece_.at(exit.g_m)[axis])), low, high);
+  int cell = std::clamp(static_cast<int>(std::floor(piece.at(limit.g_m)[axis])), low, high);
   if (rate > 0) {
     cell = std::max(cell, here);
     while (cell < high && is_crossed(cell + 1)) ++cell;
@@ -216,16 +266,18 @@ int GridWalk::cell_at_exit(int axis, int low, int high, const BlockExit& exit) c
 }
 
 void GridWalk::skip(int level, const BlockExit& exit) {
-  const glm::ivec2 first((cell_.x >> level) << level, (cell_.y >> level) << level);
-  const int side = 1 << level;
-  const glm::ivec2 last(std::min(first.x + side, grid_.columns - 1) - 1,
-                        std::min(first.y + side, grid_.rows - 1) - 1);
-  // The block's last cell on the way, through whose edge the line leaves it.
-  const auto edge_cell = [](int low, int high, double rate) { return rate > 0 ? high : low; };
-  if (exit.over_column)
-    cell_ = {edge_cell(first.x, last.x, piece_.rate.x), cell_at_exit(1, first.y, last.y, exit)};
-  else
-    cell_ = {cell_at_exit(0, first.x, last.x, exit), edge_cell(first.y, last.y, piece_.rate.y)};
+  const Block block = block_around(level);
+  if (exit.pieces_ahead > 0) {
+    piece_ = *piece_ahead(exit.pieces_ahead);
+    next_ahead_ += exit.pieces_ahead;
+    cell_ = exit.cell;
+  }
+  // The block's last cell on the way, through whose edge the line leaves it. At a corner the walk
+  // crosses columns first.
+  const int along = exit.over_column ? 0 : 1;
+  const int across = 1 - along;
+  cell_[along] = piece_.rate[along] > 0 ? block.last[along] : block.first[along];
+  cell_[across] = cell_reached(piece_, across, cell_[across], block, {exit.g_m, !exit.over_column});
   const Event event{exit.g_m, exit.over_column ? Line::column : Line::row};
   last_ = crossing(event);
   cross(event.line);

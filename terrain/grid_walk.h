@@ -6,7 +6,9 @@
 // the two cells it parts, so no ray slips between them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -62,10 +64,12 @@ class GridWalk {
   // Where the line leaves the block of 2^level x 2^level cells around cell().
   struct BlockExit {
     double g_m;
-    bool over_column;  // through a column line; else through a row line
+    bool over_column;          // through a column line; else through a row line
+    std::size_t pieces_ahead;  // on which piece of the track, counted from piece()
+    glm::ivec2 cell;           // where that piece begins
   };
-  // nullopt if the track's piece ends before.
-  [[nodiscard]] std::optional<BlockExit> block_exit(int level) const;
+  // nullopt if the line ends before, or where rounding at a knot leaves the exit in doubt.
+  [[nodiscard]] std::optional<BlockExit> block_exit(int level);
 
   // Goes on at the exit of the block, as if every cell of it had been walked.
   void skip(int level, const BlockExit& exit);
@@ -77,14 +81,31 @@ class GridWalk {
     Line line;
   };
 
+  struct Block {
+    glm::ivec2 first;  // cells
+    glm::ivec2 last;
+  };
+  [[nodiscard]] Block block_around(int level) const;
+
   [[nodiscard]] bool next_piece();
+  // nullptr: the line ends before.
+  [[nodiscard]] const TrackPiece* piece_ahead(std::size_t count);
   [[nodiscard]] bool enter();
   void stand_at(double g_m, glm::dvec2 uv);
-  // Where the piece crosses a line of columns (axis 0) or rows, not before the walk's position.
-  [[nodiscard]] double line_m(int axis, double line) const;
+  // Where a piece crosses a line of columns (axis 0) or rows, not before the walk's position.
+  [[nodiscard]] double line_m(const TrackPiece& piece, int axis, double line) const;
   [[nodiscard]] Event nearest_line() const;
-  // The cell along `axis`, in [low, high], that the walk has reached where it leaves a block.
-  [[nodiscard]] int cell_at_exit(int axis, int low, int high, const BlockExit& exit) const;
+  // As block_exit(), on one piece.
+  [[nodiscard]] std::optional<BlockExit> exit_on(const TrackPiece& piece, const Block& block) const;
+  [[nodiscard]] std::optional<BlockExit> exit_ahead(const Block& block);
+  // The cell along `axis`, in the block, to which the lines crossed before `g_m` (or at it, if
+  // `inclusive`) take the walk from the cell `here`.
+  struct Limit {
+    double g_m;
+    bool inclusive;
+  };
+  [[nodiscard]] int cell_reached(const TrackPiece& piece, int axis, int here, const Block& block,
+                                 const Limit& limit) const;
   void cross(Line line);
   void stop_outside();
   [[nodiscard]] Crossing crossing(const Event& event) const;
@@ -97,6 +118,8 @@ class GridWalk {
   GroundLine ground_line_;
   double to_m_;
   TrackPiece piece_;
+  std::vector<TrackPiece> ahead_;  // pieces already cut; those before next_ahead_ are done with
+  std::size_t next_ahead_ = 0;
   glm::ivec2 cell_{};
   bool inside_ = false;
   bool has_ground_ = false;

@@ -25,6 +25,12 @@ void check(const HeightGrid& grid, const HeightRange& range) {
     throw InputError("a grid of " + size + " posts has no height at all: check its nodata value");
 }
 
+void add_work(const TraceCounts& done, TraceCounts* sum) {
+  if (!sum) return;
+  sum->tests += done.tests;
+  sum->nodes += done.nodes;
+}
+
 }  // namespace
 
 Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model,
@@ -48,16 +54,15 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
 
 std::optional<Hit> Terrain::first_hit(const Ray& ray, TraceCounts* counts) const {
   const Trace found = trace(*this, ceiling_m_, ray);
-  if (counts) {
-    counts->tests += found.counts.tests;
-    counts->nodes += found.counts.nodes;
-  }
+  add_work(found.counts, counts);
   if (found.outcome != Outcome::hit) return std::nullopt;
   return found.hit;
 }
 
-bool Terrain::occluded(const Ray& ray) const {
-  return trace(*this, ceiling_m_, ray).outcome != Outcome::free;
+bool Terrain::occluded(const Ray& ray, TraceCounts* counts) const {
+  const Trace found = trace(*this, ceiling_m_, ray);
+  add_work(found.counts, counts);
+  return found.outcome != Outcome::free;
 }
 
 std::optional<Terrain::Ground> Terrain::ground_at(glm::dvec2 ground_m) const {

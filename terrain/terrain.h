@@ -72,7 +72,8 @@ class Terrain {
   [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray, TraceCounts* counts = nullptr) const;
 
   // Whether the ground stops the ray: a hit, or the ray is below the ground somewhere.
-  [[nodiscard]] bool occluded(const Ray& ray) const;
+  // Adds the work done to `counts`, if given.
+  [[nodiscard]] bool occluded(const Ray& ray, TraceCounts* counts = nullptr) const;
 
   // The scene height (z_scale included) of the ground at a view-frame point, and its layer; nullopt
   // where there is none.

@@ -19,9 +19,6 @@ constexpr int kNoGrid = -1;
 // Larger than the rounding of a clearance, as a share of the numbers it comes from.
 constexpr double kRounding = 1e-12;
 
-// dz/dh changes by less than this over one cell: 2 h / R for relief of 3000 m.
-constexpr double kSlopeChange = 1e-3;
-
 // Where the search of a layer's pyramid stands.
 struct BlockSearch {
   int level = HeightPyramid::kFirstLevel - 1;  // of the last block skipped
@@ -102,7 +99,7 @@ class Tracer {
   }
 
   // The exit of the largest block ahead, up to one level above the last, that the ray clears.
-  std::optional<GridWalk::BlockExit> clear_block(std::size_t index, const GridWalk& walk,
+  std::optional<GridWalk::BlockExit> clear_block(std::size_t index, GridWalk& walk,
                                                  BlockSearch& search, double to_m) {
     if (terrain_.pyramids().empty()) return std::nullopt;
     constexpr int kFirst = HeightPyramid::kFirstLevel;
@@ -134,10 +131,21 @@ class Tracer {
     const double lowest_ray_m = std::min(ray_z(from_m), ray_z(to_m));
     double slack_m = kRounding * (std::abs(highest_m) + std::abs(frame.eye_height_m) +
                                   std::abs(ray_.origin_m.z) + std::abs(lowest_ray_m));
-    // The parabola of a bilinear patch takes dz/dh from one end of the span.
-    if (terrain_.model() == SurfaceModel::bilinear)
-      slack_m += kSlopeChange * frame.z_scale * (range.highest_m - range.lowest_m);
+    if (terrain_.model() == SurfaceModel::bilinear) slack_m += parabola_slack_m(range);
     return lowest_ray_m > ceiling_m + slack_m;
+  }
+
+  // The parabola of a bilinear patch takes dz/dh from one end of the span: where it bulges, it may
+  // be higher than its heights by their difference times that of the slopes.
+  [[nodiscard]] double parabola_slack_m(const HeightPyramid::Range& range) const {
+    const VerticalFrame& frame = terrain_.frame();
+    if (frame.is_flat()) return 0;
+    // How low the ground of a block with holes lies is not known.
+    if (std::isinf(range.lowest_m)) return std::numeric_limits<double>::infinity();
+    const double lowest_m = frame.z_scale * range.lowest_m;
+    const double highest_m = frame.z_scale * range.highest_m;
+    const auto slopes = frame.slopes(lowest_m, highest_m, terrain_.reach_m());
+    return (slopes.most - slopes.least) * (highest_m - lowest_m);
   }
 
   // How far the ray is above the surface at a crossing.

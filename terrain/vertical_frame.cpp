@@ -35,7 +35,7 @@ double inverse_sinc(double gamma2) {
 }  // namespace
 
 VerticalFrame::Column VerticalFrame::at(glm::dvec2 ground_m) const {
-  if (north_curvature_per_m == 0 && east_curvature_per_m == 0) return {0, 1, 0, eye_height_m};
+  if (is_flat()) return {0, 1, 0, eye_height_m};
   const double x2 = ground_m.x * ground_m.x;
   const double y2 = ground_m.y * ground_m.y;
   const double s2 = x2 + y2;
@@ -49,7 +49,7 @@ VerticalFrame::Column VerticalFrame::at(glm::dvec2 ground_m) const {
 
 double VerticalFrame::ceiling_between(double scene_height_m, glm::dvec2 a_m, glm::dvec2 b_m) const {
   const double above_eye_m = scene_height_m - eye_height_m;
-  if (north_curvature_per_m == 0 && east_curvature_per_m == 0) return above_eye_m;
+  if (is_flat()) return above_eye_m;
   const auto s2_over_r = [&](glm::dvec2 p, glm::dvec2 q) {
     return p.x * q.x * east_curvature_per_m + p.y * q.y * north_curvature_per_m;
   };
@@ -90,6 +90,19 @@ double VerticalFrame::ceiling_m(double scene_height_m, double reach_m) const {
     }
   }
   return highest;
+}
+
+VerticalFrame::Slopes VerticalFrame::slopes(double lowest_m, double highest_m,
+                                            double reach_m) const {
+  const double gamma = reach_m * std::max(north_curvature_per_m, east_curvature_per_m);
+  // dz/dh falls with the height and grows with the distance.
+  const auto near_at = [&](double curvature, double height_m) {
+    return Column(0, 1, curvature, eye_height_m).slope(height_m);
+  };
+  return {
+      std::min(near_at(north_curvature_per_m, highest_m), near_at(east_curvature_per_m, highest_m)),
+      inverse_sinc(gamma * gamma) * std::max(near_at(north_curvature_per_m, lowest_m),
+                                             near_at(east_curvature_per_m, lowest_m))};
 }
 
 }  // namespace terrview

@@ -26,6 +26,10 @@ struct VerticalFrame {
   double east_curvature_per_m = 0;   // 1 / R across the meridian
   double refraction = 0;             // k; light bends with the radius R / k
 
+  [[nodiscard]] bool is_flat() const {
+    return north_curvature_per_m == 0 && east_curvature_per_m == 0;
+  }
+
   // The functions of one ground point.
   class Column {
    public:
@@ -69,6 +73,14 @@ struct VerticalFrame {
 
   // An upper bound of z for scene heights up to `scene_height_m`, within `reach_m` of the eye.
   [[nodiscard]] double ceiling_m(double scene_height_m, double reach_m) const;
+
+  // Bounds (but for rounding) of dz/dh for scene heights from `lowest_m` to `highest_m`, within
+  // `reach_m` of the eye.
+  struct Slopes {
+    double least;
+    double most;
+  };
+  [[nodiscard]] Slopes slopes(double lowest_m, double highest_m, double reach_m) const;
 };
 
 }  // namespace terrview

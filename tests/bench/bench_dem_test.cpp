@@ -43,9 +43,25 @@ TEST(BenchDem, StepsAreRoundedByLessThanATwoHundredThousandthOfTheExtent) {
   EXPECT_NEAR(dem.step_m[1].y, -92.641, bound_m);
 }
 
-TEST(BenchDem, PostsWithoutDataGetTheLowestHeight) {
+TEST(BenchDem, PostsWithoutDataGetTheMeanOfWhatLiesAround) {
   const BenchDem dem = make_bench_dem("voids", {2, 2, {7, kNone, 3, 5}}, {1, 0, 0, -1});
-  EXPECT_EQ(dem.grid->heights_m, (std::vector<float>{7, 3, 3, 5}));
+  EXPECT_EQ(dem.grid->heights_m, (std::vector<float>{7, 5, 3, 5}));
+}
+
+// A slope with a hole of 40 x 40 posts: no cliff stands at the hole's edge or in it.
+TEST(BenchDem, NoCliffStandsWhereNothingIsKnown) {
+  HeightGrid grid{100, 100, std::vector<float>(10'000)};
+  for (int row = 0; row < 100; ++row)
+    for (int column = 0; column < 100; ++column) {
+      const bool hole = column >= 30 && column < 70 && row >= 20 && row < 60;
+      grid.heights_m[static_cast<std::size_t>(row * 100 + column)] =
+          hole ? kNone : static_cast<float>(10 * column);
+    }
+  cover_voids(grid);
+  for (int row = 0; row < 100; ++row)
+    for (int column = 1; column < 100; ++column)
+      EXPECT_LE(std::abs(grid.at(column, row) - grid.at(column - 1, row)), 150)
+          << column << ' ' << row;
 }
 
 TEST(SyntheticMountains, HaveTheirReliefAndSpacing) {

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include <glm/geometric.hpp>
+
 #include "tests/support/oracle.h"
 #include "tests/support/random_scene.h"
 
@@ -90,6 +92,19 @@ RC_GTEST_PROP(VerticalFrame, CeilingsBoundZ, ()) {
   const glm::dvec2 between_m = p.ground_m + share * (end_m - p.ground_m);
   RC_ASSERT(p.frame.ceiling_between(ceiling_height_m, p.ground_m, end_m) >=
             p.frame.at(between_m).z_m(p.height_m) - rounding_m);
+}
+
+RC_GTEST_PROP(VerticalFrame, SlopesAreWithinTheirBounds, ()) {
+  const Point p = any_point(/*reach_km=*/1000);
+  // As far as exaggerated relief goes.
+  const double scale = milli(1, 1'000'000);
+  const double height_m = scale * std::fabs(p.height_m);
+  const double below_m = std::min(height_m, 1000 * milli(0, 9'000'000));
+  const auto bounds =
+      p.frame.slopes(below_m, height_m + below_m, glm::length(p.ground_m) * (1 + milli(0, 1000)));
+  const double slope = p.frame.at(p.ground_m).slope(height_m);
+  RC_ASSERT(slope >= bounds.least * (1 - 1e-14));
+  RC_ASSERT(slope <= bounds.most * (1 + 1e-14));
 }
 
 // A point of height h at the arc gamma has the true elevation of its geocentric coordinates.
