@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
+#include "cli/view_light.h"
 
 namespace terrview {
 namespace {
@@ -56,7 +57,10 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   if (!reading.empty()) json["reading"] = reading;
   json["sun"] = {{"azimuth", sun.azimuth_rad * kDegrees},
                  {"elevation", sun.elevation_rad * kDegrees}};
-  json["shadows"] = !options.no_shadows;
+  const LightOptions& light = options.light;
+  json["sun"]["refracted"] = light.refracted_sun;
+  json["shade"] = light.relief ? "relief" : "sun";
+  json["shadows"] = !casts_shadows(light) ? "none" : light.soft_shadows ? "soft" : "hard";
   json["surface"] = name_of(options.surface);
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
   if (!options.colors.empty()) json["colors"] = file_name(options.colors);

@@ -21,6 +21,15 @@ class App;
 
 namespace terrview {
 
+struct LightOptions {
+  std::optional<SunPosition> sun;
+  std::optional<double> time;  // Julian day of UTC
+  bool refracted_sun = false;  // drawn where refraction lifts it
+  bool soft_shadows = false;
+  bool no_shadows = false;
+  bool relief = false;  // a map's light
+};
+
 struct ViewOptions {
   std::vector<std::string> dems;
   DemOptions dem;
@@ -42,8 +51,7 @@ struct ViewOptions {
   SurfaceModel surface = SurfaceModel::hyperboloid;
   bool coherence = true;
   NormalKind normals = NormalKind::smooth;
-  std::optional<SunPosition> sun;
-  bool no_shadows = false;
+  LightOptions light;
   std::string colors;
   int threads = 0;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
@@ -17,12 +18,14 @@ struct Light {
   glm::vec3 sun{0.95F, 0.91F, 0.82F};
   glm::vec3 ambient{0.23F, 0.26F, 0.31F};
   bool casts_shadows = true;
+  double sun_radius_rad = 0;  // of the disc that softens the edges of shadows; 0 = a point
 };
 
-// A plain sky: one colour at the horizon, another overhead.
+// A plain sky: one colour at the horizon, another overhead, and one at the horizon about the sun.
 struct SkyGradient {
   glm::vec3 horizon{0.56F, 0.68F, 0.82F};
   glm::vec3 zenith{0.08F, 0.20F, 0.52F};
+  std::optional<glm::vec3> sunward;  // none: the horizon's all round
 };
 
 enum class NormalKind { smooth, facet };

@@ -12,10 +12,22 @@
 namespace terrview {
 namespace {
 
-glm::vec3 sky_color(const SkyGradient& sky, const glm::dvec3& direction) {
-  // The square root spends most of the gradient near the horizon, as the air does.
-  const double height = std::sqrt(std::max(0.0, glm::normalize(direction).z));
-  return glm::mix(sky.horizon, sky.zenith, static_cast<float>(height));
+// How much the colour about the sun shows towards `direction`, of unit length: all of it at the
+// sun.
+double sunward_share(const glm::dvec3& direction, const Light& light) {
+  const double half = (1 + glm::dot(direction, light.towards_sun)) / 2;
+  return half * half * half * half;
+}
+
+glm::vec3 sky_color(const Scene& scene, const glm::dvec3& direction) {
+  const glm::dvec3 unit = glm::normalize(direction);
+  const SkyGradient& sky = scene.sky;
+  glm::vec3 horizon = sky.horizon;
+  if (sky.sunward)
+    horizon = glm::mix(horizon, *sky.sunward, static_cast<float>(sunward_share(unit, scene.light)));
+  // Steep at the horizon, as the air's depth is, but without an edge.
+  const double below = 1 - std::max(0.0, unit.z);
+  return glm::mix(sky.zenith, horizon, static_cast<float>(below * below * below));
 }
 
 glm::vec3 normal_at(const Scene& scene, const Hit& hit) {
@@ -46,23 +58,18 @@ std::vector<float> facings(const Scene& scene, std::span<const std::optional<Hit
   return facings;
 }
 
-// Takes the sun from the hits in cast shadow.
+// Takes from the facings what the ground hides of the sun.
 void cast_shadows(const Scene& scene, std::span<const std::optional<Hit>> hits,
                   std::span<float> facings, std::int64_t& shadow_rays) {
   std::vector<std::size_t> indices;
-  std::vector<Ray> rays;
+  std::vector<Hit> points;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (facings[i] <= 0) continue;
-    const glm::dvec3 direction =
-        direction_at(scene.terrain->frame(), hits[i]->position_m, scene.light.towards_sun);
     indices.push_back(i);
-    rays.push_back(scene.terrain->leave(*hits[i], direction));
+    points.push_back(*hits[i]);
   }
-  shadow_rays += static_cast<std::int64_t>(rays.size());
-  const std::vector<std::uint8_t> stops = stopped(*scene.terrain, rays);
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (stops[i]) facings[indices[i]] = 0;
-  }
+  const std::vector<float> shares = sun_shares(*scene.terrain, scene.light, points, shadow_rays);
+  for (std::size_t i = 0; i < indices.size(); ++i) facings[indices[i]] *= shares[i];
 }
 
 }  // namespace
@@ -75,7 +82,7 @@ std::vector<ShadedRay> shade(const Scene& scene, std::span<const Ray> rays,
   for (std::size_t i = 0; i < hits.size(); ++i) {
     shaded[i].color = hits[i] ? (scene.light.ambient + sunlit[i] * scene.light.sun) *
                                     ground_color(scene, *hits[i])
-                              : sky_color(scene.sky, rays[i].direction);
+                              : sky_color(scene, rays[i].direction);
   }
   return shaded;
 }
