@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "render/color_ramp.h"
@@ -73,6 +74,13 @@ std::string lower_case(std::string text) {
 double parse_number(const std::string& option, const std::string& text) {
   const auto value = number(text);
   if (!value) refuse(option, text, "give a number");
+  return *value;
+}
+
+double parse_visibility(const std::string& option, const std::string& text) {
+  if (text == "inf") return std::numeric_limits<double>::infinity();
+  const auto value = number(text);
+  if (!value || *value <= 0) refuse(option, text, "give kilometres above 0, or inf for no air");
   return *value;
 }
 

@@ -19,6 +19,9 @@ namespace terrview {
 // The whole of `text` as a finite number.
 [[nodiscard]] double parse_number(const std::string& option, const std::string& text);
 
+// A visibility in kilometres: a number above 0, or inf.
+[[nodiscard]] double parse_visibility(const std::string& option, const std::string& text);
+
 // Numbers parted by commas, between `fewest` and `most` of them.
 [[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                                 std::size_t fewest, std::size_t most);

@@ -45,6 +45,13 @@ void check_projection(const ViewOptions& given, Projection projection) {
     throw InputError("--fov: an orthographic view has parallel rays: give --width METRES instead");
 }
 
+void check_sampling(const ViewOptions& options) {
+  if (!(options.sampling.contrast >= 0 && options.sampling.contrast <= 1))
+    throw InputError("--aa: give a difference in sRGB from 0 to 1, as 0.03");
+  if (options.sampling.preview && !options.layers.empty())
+    throw InputError("--layers: a preview does not trace every pixel: leave out --preview");
+}
+
 }  // namespace
 
 void prepare(ViewOptions& options) {
@@ -55,6 +62,8 @@ void prepare(ViewOptions& options) {
   check_angles(options);
   check_earth(options);
   check_light(options.light);
+  check_air(options.air);
+  check_sampling(options);
   const ResolvedView known = known_view(options);
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera

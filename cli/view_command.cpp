@@ -50,25 +50,43 @@ std::vector<Dem> read(ViewOptions& options) {
   return read_dems(options.dems, options.dem);
 }
 
-Frame render(const ViewOptions& options, const View& view) {
+ImageFileOptions image_options(const ViewOptions& options, const View& view) {
+  return {options.format,
+          options.creation,
+          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}}};
+}
+
+Frame render(const ViewOptions& options, const View& view, const ViewFiles& files) {
   ProgressBar bar("rendering", shows_bar(options));
-  return render(view.scene, view.camera,
-                {.threads = options.threads,
-                 .coherence = options.coherence,
-                 .keep_samples = !options.layers.empty(),
-                 .progress = [&](double share) {
-                   check_interrupt();
-                   bar.report(share);
-                 }});
+  RenderOptions how{.threads = options.threads,
+                    .coherence = options.coherence,
+                    .keep_samples = files.layers != nullptr,
+                    .samples = options.sampling.samples,
+                    .contrast = static_cast<float>(options.sampling.contrast),
+                    .preview = options.sampling.preview};
+  how.progress = [&](double share) {
+    check_interrupt();
+    bar.report(share);
+  };
+  if (files.progressive)
+    how.improved = [&, to_file = image_options(options, view)](const Image& image) {
+      files.progressive->fill([&](const std::string& path) { write_image(path, image, to_file); });
+      files.progressive->commit();
+    };
+  try {
+    return terrview::render(view.scene, view.camera, how);
+  } catch (const Interrupted&) {
+    if (files.progressive && files.progressive->exists())
+      throw Interrupted{files.progressive->path()};
+    throw;
+  }
 }
 
 void write(const ViewOptions& options, const View& view, const Frame& frame,
            const ViewFiles& files) {
   const std::string camera_text = camera_json(view.resolved).dump(2);
-  const std::string metadata = view_metadata(options, view.resolved, view.sun);
   files.image->fill([&](const std::string& path) {
-    write_image(path, frame.image,
-                {options.format, options.creation, {{"terrview:view", metadata}}});
+    write_image(path, frame.image, image_options(options, view));
   });
   if (files.layers)
     files.layers->fill([&](const std::string& path) {
@@ -100,7 +118,7 @@ int run_view(const std::vector<std::string>& args) {
   const View view = make_view(options, dems);
   seconds.build = stopwatch.lap();
   if (!options.quiet) say_what_is_seen(dems, view);
-  const Frame frame = render(options, view);
+  const Frame frame = render(options, view, files);
   seconds.render = stopwatch.lap();
   write(options, view, frame, files);
   seconds.write = stopwatch.lap();

@@ -22,13 +22,17 @@ std::string default_name(const ViewOptions& options) {
 
 ViewFiles::ViewFiles(const ViewOptions& options) {
   const std::string picture = options.output.empty() ? default_name(options) : options.output;
-  check_image_file(picture, options.size_px.value_or(ResolvedView{}.size_px),
-                   {options.format, options.creation, {}});
+  for (const std::string& path : {picture, options.progressive}) {
+    if (!path.empty())
+      check_image_file(path, options.size_px.value_or(ResolvedView{}.size_px),
+                       {options.format, options.creation, {}});
+  }
   check_layers_name(options.layers);
   image = claim(picture, options);
   layers = claim(options.layers, options);
   stats = claim(options.stats, options);
   camera = claim(options.camera, options);
+  progressive = claim(options.progressive, options);
 }
 
 void ViewFiles::commit() {

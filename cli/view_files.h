@@ -17,13 +17,14 @@ class ViewFiles {
   // Throws InputError for a name that cannot be written, or is used twice or by a DEM.
   explicit ViewFiles(const ViewOptions& options);
 
-  // Puts them all under their names.
+  // Puts them under their names.
   void commit();
 
   std::unique_ptr<OutputFile> image;
   std::unique_ptr<OutputFile> layers;
   std::unique_ptr<OutputFile> stats;
   std::unique_ptr<OutputFile> camera;
+  std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
 
  private:
   std::unique_ptr<OutputFile> claim(const std::string& path, const ViewOptions& options);

@@ -31,6 +31,13 @@ SunPosition without_refraction(const LightOptions& light, const SunSeenFrom& eye
   return summer_afternoon(eye.place ? eye.place->latitude_deg * kRadians : kUnknownLatitude_rad);
 }
 
+// Infinite where there is no air.
+double visibility_m(const AirOptions& air) {
+  constexpr double kVisibility_km = 60;
+  if (air.extinction_per_km) return 1000 * kExtinctionTimesVisibility / *air.extinction_per_km;
+  return 1000 * air.visibility_km.value_or(kVisibility_km);
+}
+
 }  // namespace
 
 void check_light(const LightOptions& light) {
@@ -40,6 +47,15 @@ void check_light(const LightOptions& light) {
     throw InputError("--soft-shadows: there are none with --no-shadows: leave one of them out");
   if (light.relief && light.soft_shadows)
     throw InputError("--soft-shadows: --shade relief casts no shadows: leave one of them out");
+}
+
+void check_air(const AirOptions& air) {
+  if (air.extinction_per_km && !(*air.extinction_per_km >= 0))
+    throw InputError("--extinction: give a number per kilometre, 0 for no air");
+  if (air.haze_px < 0 || air.haze_px > 100)
+    throw InputError("--haze: give pixels from 0 to 100 (1 is a fair haze)");
+  if (air.haze_px > 0 && !std::isfinite(visibility_m(air)))
+    throw InputError("--haze: is measured at the visibility: give one with --visibility KM");
 }
 
 SunPosition resolve_sun(const LightOptions& light, const SunSeenFrom& eye) {
@@ -59,6 +75,16 @@ void set_light(const LightOptions& light, const SunPosition& sun, Scene& scene) 
   scene.light.casts_shadows = casts_shadows(light);
   if (light.soft_shadows) scene.light.sun_radius_rad = kSunRadius_rad;
   scene.sky = day.sky;
+}
+
+Air make_air(const AirOptions& options) {
+  Air air;
+  const double range_m = visibility_m(options);
+  air.extinction_per_m = kExtinctionTimesVisibility / range_m;
+  air.haze_px_per_m = options.haze_px / range_m;
+  air.color = options.color;
+  air.sunward = options.sunward;
+  return air;
 }
 
 }  // namespace terrview

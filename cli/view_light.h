@@ -10,8 +10,9 @@
 
 namespace terrview {
 
-// Throws InputError for what no sun can be.
+// Throw InputError for what no sun and no air can be.
 void check_light(const LightOptions& light);
+void check_air(const AirOptions& air);
 
 // Where an eye is, as far as the sun is concerned.
 struct SunSeenFrom {
@@ -27,5 +28,7 @@ struct SunSeenFrom {
 
 // Sets the light and the sky of `scene`.
 void set_light(const LightOptions& light, const SunPosition& sun, Scene& scene);
+
+[[nodiscard]] Air make_air(const AirOptions& options);
 
 }  // namespace terrview

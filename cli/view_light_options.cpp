@@ -34,7 +34,55 @@ void add_sun_options(CLI::App& app, LightOptions& light) {
   time->excludes(sun)->excludes(shade);
 }
 
+void add_color(CLI::App& app, const std::string& name, std::optional<glm::vec3>& color,
+               const std::string& help) {
+  add_parsed(
+      app, name, [&color, name](const std::string& text) { color = parse_color(name, text); }, help)
+      ->type_name("R,G,B");
+}
+
+void add_air_options(CLI::App& app, AirOptions& air) {
+  auto* visibility = add_parsed(
+                         app, "--visibility",
+                         [&air](const std::string& text) {
+                           air.visibility_km = parse_visibility("--visibility", text);
+                         },
+                         "Where a black ridge keeps 2 % of its contrast (default 60; inf: no air)")
+                         ->type_name("KM");
+  add_number(app, "--extinction", air.extinction_per_km,
+             "Of the air, per km, instead of the visibility")
+      ->excludes(visibility);
+  add_color(app, "--air-color", air.color,
+            "Of the air, sRGB 0-255 (default: the sky's at the horizon)");
+  add_color(app, "--air-color-sun", air.sunward, "Of the air towards the sun");
+  add_parsed(
+      app, "--haze",
+      [&air](const std::string& text) { air.haze_px = parse_number("--haze", text); },
+      "Blur that grows with distance: pixels at the visibility (default 0)")
+      ->type_name("S");
+}
+
 }  // namespace
+
+void add_sampling_options(CLI::App& app, ViewOptions& options) {
+  auto* samples = app.add_option("--samples", options.sampling.samples,
+                                 "Rays a pixel (1: through its centre; default: adaptive)")
+                      ->check(CLI::Range(1, 1024));
+  auto* contrast =
+      add_parsed(
+          app, "--aa",
+          [&options](const std::string& text) {
+            options.sampling.contrast = parse_number("--aa", text);
+          },
+          "Adaptive: more rays where sRGB differs by more than this, 0-1 (default 0.03)")
+          ->type_name("T");
+  auto* preview = app.add_flag("--preview", options.sampling.preview,
+                               "Blocks of 8 pixels, refined where they differ: a quick look");
+  app.add_option("--progressive", options.progressive,
+                 "A picture that is there at once and improves until it is the final one")
+      ->type_name("FILE");
+  samples->excludes(contrast)->excludes(preview);
+}
 
 void add_light_options(CLI::App& app, ViewOptions& options) {
   add_sun_options(app, options.light);
@@ -44,6 +92,7 @@ void add_light_options(CLI::App& app, ViewOptions& options) {
   app.add_option("--colors", options.colors,
                  "Colours by altitude: gdaldem color-relief text or a QGIS colour map")
       ->type_name("FILE");
+  add_air_options(app, options.air);
 }
 
 }  // namespace terrview

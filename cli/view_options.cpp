@@ -148,6 +148,7 @@ void add_view_options(CLI::App& app, ViewOptions& options) {
   add_projection_options(app, options);
   add_ground_options(app, options);
   add_light_options(app, options);
+  add_sampling_options(app, options);
   add_output_options(app, options);
 }
 

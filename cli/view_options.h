@@ -30,6 +30,20 @@ struct LightOptions {
   bool relief = false;  // a map's light
 };
 
+struct AirOptions {
+  std::optional<double> visibility_km;  // infinite = no air; none = 60
+  std::optional<double> extinction_per_km;
+  std::optional<glm::vec3> color;
+  std::optional<glm::vec3> sunward;
+  double haze_px = 0;  // at the distance of the visibility
+};
+
+struct SamplingOptions {
+  int samples = 0;  // a pixel; 0 = adaptive
+  double contrast = 0.03;
+  bool preview = false;
+};
+
 struct ViewOptions {
   std::vector<std::string> dems;
   DemOptions dem;
@@ -52,6 +66,8 @@ struct ViewOptions {
   bool coherence = true;
   NormalKind normals = NormalKind::smooth;
   LightOptions light;
+  AirOptions air;
+  SamplingOptions sampling;
   std::string colors;
   int threads = 0;
 
@@ -62,6 +78,7 @@ struct ViewOptions {
   std::string layers;
   std::string stats;
   std::string camera;
+  std::string progressive;
   bool quiet = false;
   bool progress = false;
 };

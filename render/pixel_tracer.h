@@ -1,7 +1,10 @@
 // The rays from the eye through a lattice of image points, a block of them at a time.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -22,6 +25,11 @@ struct Block {
   }
 };
 
+// The hits of any rays. Adds to `counts`.
+[[nodiscard]] std::vector<std::optional<Hit>> trace_rays(const Terrain& terrain,
+                                                         std::span<const Ray> rays,
+                                                         TraceCounts& counts);
+
 // References must outlive it. Immutable, so threads may share one.
 class PixelTracer {
  public:
@@ -32,14 +40,22 @@ class PixelTracer {
   // Blocks that cover the lattice: strips of columns where columns are coherent, else rows.
   [[nodiscard]] std::vector<Block> blocks() const;
 
-  // The rays of a block and their hits, column by column. Adds to `counts`.
-  [[nodiscard]] std::vector<Ray> rays(const Block& block) const;
+  // The points of a block that are wanted, column by column.
+  [[nodiscard]] std::vector<glm::ivec2> points(
+      const Block& block, const std::function<bool(glm::ivec2 point)>& wanted) const;
+
+  // The rays through points of the lattice.
+  [[nodiscard]] std::vector<Ray> rays(std::span<const glm::ivec2> points) const;
+
+  // Their hits; `points` are some of those of `block`, column by column. Adds to `counts`.
   [[nodiscard]] std::vector<std::optional<Hit>> trace(const Block& block,
+                                                      std::span<const glm::ivec2> points,
                                                       TraceCounts& counts) const;
 
  private:
-  void trace_strip(const Block& block, std::vector<std::optional<Hit>>& hits,
-                   TraceCounts& counts) const;
+  [[nodiscard]] std::vector<std::optional<Hit>> trace_strip(const Block& block,
+                                                            std::span<const glm::ivec2> points,
+                                                            TraceCounts& counts) const;
 
   const Terrain& terrain_;
   const Camera& camera_;

@@ -1,49 +1,162 @@
 #include "render/render.h"
 
-#include <atomic>
-#include <chrono>
-#include <optional>
-#include <vector>
+#include <utility>
 
+#include "render/antialias.h"
+#include "render/haze.h"
 #include "render/parallel.h"
-#include "render/pixel_tracer.h"
-#include "render/shade.h"
+#include "render/refine.h"
+#include "render/sampling.h"
 
 namespace terrview {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+// A picture in the making: the rays through the pixels' centres first, then what is made of them.
+class Picture {
+ public:
+  Picture(const Scene& scene, const Camera& camera, const RenderOptions& options)
+      : options_(options),
+        size_(camera.options().size_px),
+        sampler_(scene, camera, options),
+        base_(size_.x, size_.y),
+        haze_(scene.air, base_),
+        hazy_(scene.air.haze_px_per_m > 0 && !options.preview) {
+    if (options.keep_samples) frame_.samples = Raster<PixelSample>(size_.x, size_.y);
+  }
 
-// Renders the pixels of a block into `frame`. Pixels do not depend on each other, so any thread may
-// take any block.
-RenderCounts render_block(const Scene& scene, const PixelTracer& tracer, const Block& block,
-                          Frame& frame) {
-  RenderCounts counts;
-  const auto start = std::chrono::steady_clock::now();
-  TraceCounts traced;
-  const std::vector<std::optional<Hit>> hits = tracer.trace(block, traced);
-  counts.rays = static_cast<std::int64_t>(hits.size());
-  counts.tests = traced.tests;
-  counts.nodes = traced.nodes;
-  counts.trace_s = seconds_since(start);
-  const auto shading = std::chrono::steady_clock::now();
-  const std::vector<ShadedRay> shaded = shade(scene, tracer.rays(block), hits, counts.shadow_rays);
-  std::size_t i = 0;
-  for (int column = block.first.x; column < block.first.x + block.size.x; ++column) {
-    for (int row = block.first.y; row < block.first.y + block.size.y; ++row, ++i) {
-      frame.image.at(column, row) = shaded[i].color;
-      if (!hits[i]) continue;
-      ++counts.hits;
-      if (!frame.samples.empty())
-        frame.samples.at(column, row) = {hits[i]->position_m, shaded[i].normal,
-                                         PixelSample::kGround};
+  Frame render() {
+    if (options_.preview || options_.improved) trace_blocks();
+    if (options_.preview) return finish(mixed_blocks(base_, options_.threads));
+    trace_centres();
+    if (options_.improved) options_.improved(centres());
+    Image image = centres();
+    const Resolve resolve = [this](glm::ivec2 pixel, const Sample& sample) {
+      return hazy_ ? haze_.blurred(pixel, sample) : sample.color;
+    };
+    if (options_.samples == 0) {
+      sampler_.set_progress(kCentres, 1);
+      antialias(sampler_, options_.contrast, base_, resolve, image);
+    } else if (options_.samples > 1) {
+      supersample(sampler_, options_.samples, base_, resolve, image);
+    }
+    return finish(std::move(image));
+  }
+
+ private:
+  // The share of the work that the centres are thought to be, where pixels take what they need.
+  static constexpr double kCentres = 0.5;
+
+  [[nodiscard]] double centres_share() const {
+    return options_.samples == 0 ? kCentres : 1.0 / options_.samples;
+  }
+
+  void keep(glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+    base_.at(pixel.x, pixel.y) = {shaded.color, shaded.distance_m};
+    if (!frame_.samples.empty()) keep_layers(pixel, shaded, hit);
+  }
+
+  void keep_layers(glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+    PixelSample& sample = frame_.samples.at(pixel.x, pixel.y);
+    sample.clear = shaded.clear;
+    sample.air = shaded.air;
+    sample.transmission = shaded.transmission;
+    if (!hit) return;
+    sample.position_m = hit->position_m;
+    sample.normal = shaded.normal;
+    sample.object_id = PixelSample::kGround;
+  }
+
+  // Coarse blocks, and finer ones where they differ.
+  void trace_blocks() {
+    for (int block_px = kFirstBlock_px; block_px >= 1; block_px /= 2) {
+      sampler_.set_progress(0, options_.preview ? 1.0 / block_px : 0);
+      refine(sampler_, block_px, options_.contrast, base_,
+             [&](glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+               keep(pixel, shaded, hit);
+             });
+      if (options_.improved) options_.improved(mixed_blocks(base_, options_.threads));
     }
   }
-  counts.shade_s = seconds_since(shading);
-  return counts;
-}
+
+  // What is left of the pixels' centres, but for those that haze fills.
+  void trace_centres() {
+    const bool sparse = hazy_ && options_.sparse_haze;
+    if (sparse) {
+      sampler_.set_progress(0, centres_share() / 4);
+      trace_untraced(2);
+      choose_filled();
+    }
+    sampler_.set_progress(sparse ? centres_share() / 4 : 0, centres_share());
+    trace_untraced(1);
+    drop_filled();
+  }
+
+  void trace_untraced(int step) {
+    const bool layers = !frame_.samples.empty();
+    sampler_.trace_lattice(
+        0, step,
+        [&](glm::ivec2 pixel) {
+          return !base_.at(pixel.x, pixel.y).traced() && (layers || !is_filled(pixel));
+        },
+        [&](glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+          keep(pixel, shaded, hit);
+        });
+  }
+
+  void choose_filled() {
+    filled_ = Raster<char>(size_.x, size_.y, 0);
+    for_each_pixel(
+        [&](glm::ivec2 pixel) { filled_.at(pixel.x, pixel.y) = haze_.fills(pixel) ? 1 : 0; });
+  }
+
+  // Pixels that were traced for a block or a layer are filled all the same.
+  void drop_filled() {
+    if (filled_.empty()) return;
+    for_each_pixel([&](glm::ivec2 pixel) {
+      if (is_filled(pixel)) base_.at(pixel.x, pixel.y) = Sample{};
+    });
+  }
+
+  [[nodiscard]] bool is_filled(glm::ivec2 pixel) const {
+    return !filled_.empty() && filled_.at(pixel.x, pixel.y) != 0;
+  }
+
+  // The picture of one ray a pixel.
+  [[nodiscard]] Image centres() const {
+    Image image(size_.x, size_.y);
+    for_each_pixel([&](glm::ivec2 pixel) {
+      const Sample& sample = base_.at(pixel.x, pixel.y);
+      image.at(pixel.x, pixel.y) = is_filled(pixel) ? haze_.filled(pixel)
+                                   : hazy_          ? haze_.blurred(pixel, sample)
+                                                    : sample.color;
+    });
+    return image;
+  }
+
+  template <class Work>
+  void for_each_pixel(const Work& work) const {
+    parallel_for(size_.y, options_.threads, [&](int row) {
+      for (int column = 0; column < size_.x; ++column) work(glm::ivec2(column, row));
+    });
+  }
+
+  Frame finish(Image image) {
+    frame_.image = std::move(image);
+    frame_.counts = sampler_.total;
+    if (options_.improved) options_.improved(frame_.image);
+    if (options_.progress) options_.progress(1);
+    return std::move(frame_);
+  }
+
+  const RenderOptions& options_;
+  glm::ivec2 size_;
+  Sampler sampler_;
+  Raster<Sample> base_;
+  Haze haze_;
+  bool hazy_;
+  Raster<char> filled_;
+  Frame frame_;
+};
 
 }  // namespace
 
@@ -59,24 +172,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
 }
 
 Frame render(const Scene& scene, const Camera& camera, const RenderOptions& options) {
-  const glm::ivec2 size = camera.options().size_px;
-  Frame frame;
-  frame.image = Image(size.x, size.y);
-  if (options.keep_samples) frame.samples = Raster<PixelSample>(size.x, size.y);
-  const PixelTracer tracer(*scene.terrain, camera, options.coherence, pixel_centres(camera));
-  const std::vector<Block> blocks = tracer.blocks();
-  const int count = static_cast<int>(blocks.size());
-
-  std::vector<RenderCounts> counts(blocks.size());
-  std::atomic<int> blocks_done{0};
-  parallel_for(count, options.threads, [&](int index) {
-    const auto i = static_cast<std::size_t>(index);
-    counts[i] = render_block(scene, tracer, blocks[i], frame);
-    const int done = ++blocks_done;
-    if (options.progress) options.progress(static_cast<double>(done) / count);
-  });
-  for (const RenderCounts& block : counts) frame.counts += block;
-  return frame;
+  return Picture(scene, camera, options).render();
 }
 
 }  // namespace terrview

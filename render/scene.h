@@ -25,8 +25,22 @@ struct Light {
 struct SkyGradient {
   glm::vec3 horizon{0.56F, 0.68F, 0.82F};
   glm::vec3 zenith{0.08F, 0.20F, 0.52F};
-  std::optional<glm::vec3> sunward;  // none: the horizon's all round
+  std::optional<glm::vec3> sunward = {};  // none: the horizon's all round
 };
+
+// The air between: colour <- colour q + air (1 - q), q = exp(-extinction * distance) (Coquillart
+// 1984, chapter 1, 6); and the blur of what is far away, of standard deviation haze_px_per_m *
+// distance.
+struct Air {
+  double extinction_per_m = 0;
+  double haze_px_per_m = 0;
+  std::optional<glm::vec3> color = {};  // none: the sky's at the horizon
+  std::optional<glm::vec3> sunward =
+      {};  // towards the sun; none: `color`, or the sky's without one
+};
+
+// At the visibility a black object keeps 2 percent of its contrast (Koschmieder's law).
+inline constexpr double kExtinctionTimesVisibility = 3.912;
 
 enum class NormalKind { smooth, facet };
 
@@ -36,6 +50,7 @@ struct Scene {
   NormalKind normals = NormalKind::smooth;
   Light light;
   SkyGradient sky;
+  Air air;
 };
 
 }  // namespace terrview

@@ -1,34 +1,13 @@
 #include "render/shade.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/air.h"
 #include "render/shadows.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
 namespace {
-
-// How much the colour about the sun shows towards `direction`, of unit length: all of it at the
-// sun.
-double sunward_share(const glm::dvec3& direction, const Light& light) {
-  const double half = (1 + glm::dot(direction, light.towards_sun)) / 2;
-  return half * half * half * half;
-}
-
-glm::vec3 sky_color(const Scene& scene, const glm::dvec3& direction) {
-  const glm::dvec3 unit = glm::normalize(direction);
-  const SkyGradient& sky = scene.sky;
-  glm::vec3 horizon = sky.horizon;
-  if (sky.sunward)
-    horizon = glm::mix(horizon, *sky.sunward, static_cast<float>(sunward_share(unit, scene.light)));
-  // Steep at the horizon, as the air's depth is, but without an edge.
-  const double below = 1 - std::max(0.0, unit.z);
-  return glm::mix(sky.zenith, horizon, static_cast<float>(below * below * below));
-}
 
 glm::vec3 normal_at(const Scene& scene, const Hit& hit) {
   return scene.normals == NormalKind::facet ? scene.terrain->facet_normal(hit)
@@ -72,6 +51,18 @@ void cast_shadows(const Scene& scene, std::span<const std::optional<Hit>> hits,
   for (std::size_t i = 0; i < indices.size(); ++i) facings[indices[i]] *= shares[i];
 }
 
+// Puts the air before what the ray meets at `hit`.
+void add_air(const Scene& scene, const Ray& ray, const Hit& hit, ShadedRay& shaded) {
+  shaded.color = shaded.clear;
+  if (scene.air.extinction_per_m <= 0) return;
+  const VerticalFrame& frame = scene.terrain->frame();
+  const double distance_m =
+      glm::distance(to_true_enu(frame, hit.position_m), to_true_enu(frame, ray.origin_m));
+  shaded.transmission = transmission(scene.air, distance_m);
+  shaded.air = air_color(scene, glm::normalize(ray.direction));
+  shaded.color = shaded.clear * shaded.transmission + shaded.air * (1 - shaded.transmission);
+}
+
 }  // namespace
 
 std::vector<ShadedRay> shade(const Scene& scene, std::span<const Ray> rays,
@@ -80,9 +71,16 @@ std::vector<ShadedRay> shade(const Scene& scene, std::span<const Ray> rays,
   std::vector<float> sunlit = facings(scene, hits, shaded);
   if (scene.light.casts_shadows) cast_shadows(scene, hits, sunlit, shadow_rays);
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    shaded[i].color = hits[i] ? (scene.light.ambient + sunlit[i] * scene.light.sun) *
-                                    ground_color(scene, *hits[i])
-                              : sky_color(scene, rays[i].direction);
+    if (hits[i]) {
+      shaded[i].clear =
+          (scene.light.ambient + sunlit[i] * scene.light.sun) * ground_color(scene, *hits[i]);
+      shaded[i].distance_m =
+          static_cast<float>(glm::distance(hits[i]->position_m, rays[i].origin_m));
+      add_air(scene, rays[i], *hits[i], shaded[i]);
+    } else {
+      shaded[i].clear = background_color(scene, glm::normalize(rays[i].direction));
+      shaded[i].color = shaded[i].clear;
+    }
   }
   return shaded;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,7 +15,12 @@ namespace terrview {
 
 // What one ray shows.
 struct ShadedRay {
-  glm::vec3 color{0, 0, 0};
+  glm::vec3 color{0, 0, 0};  // clear * transmission + air * (1 - transmission)
+  // From the ray's origin, in the view frame; infinite where nothing is hit.
+  float distance_m = std::numeric_limits<float>::infinity();
+  glm::vec3 clear{0, 0, 0};   // without the air; the background's where nothing is hit
+  glm::vec3 air{0, 0, 0};     // the air's colour there
+  float transmission = 1;     // 1 where nothing is hit
   glm::vec3 normal{0, 0, 0};  // as Terrain's normals; 0 where nothing is hit
 };
 
