@@ -5,6 +5,32 @@
 #include "terrain/error.h"
 
 namespace terrview {
+namespace {
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n') c = ' ';
+  }
+  return text;
+}
+
+// What the parser says, and how to mend it.
+std::string explain(const CLI::ParseError& error, const CLI::App& app) {
+  const std::string said = one_line(error.what());
+  if (dynamic_cast<const CLI::ExtrasError*>(&error))
+    return "'" + app.remaining().front() + "': no such option: " + app.get_name() +
+           " --help lists them";
+  if (dynamic_cast<const CLI::RequiredError*>(&error))
+    return said + ": name a file; " + app.get_name() + " --help shows how";
+  if (dynamic_cast<const CLI::ExcludesError*>(&error)) return said + ": leave one of them out";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+    return said + ": give what the option needs after it";
+  if (dynamic_cast<const CLI::ValidationError*>(&error)) return said + ": give a value from there";
+  if (dynamic_cast<const CLI::ConversionError*>(&error)) return said + ": give a number";
+  return said + ": see " + app.get_name() + " --help";
+}
+
+}  // namespace
 
 CommandLine::CommandLine(const std::string& description, const std::string& name)
     : CLI::App(description, name) {
@@ -23,11 +49,7 @@ void CommandLine::parse_args(const std::vector<std::string>& args) {
     std::printf("terrview %s\n", kVersion);
     throw NothingToDo{};
   } catch (const CLI::ParseError& error) {
-    std::string line = error.what();
-    for (char& c : line) {
-      if (c == '\n') c = ' ';
-    }
-    throw InputError(line + ": see " + get_name() + " --help");
+    throw InputError(explain(error, *this));
   }
 }
 

@@ -46,7 +46,8 @@ OutputFile::~OutputFile() {
   if (!committed_) fs::remove(temporary_path_, ignored);
 }
 
-void OutputFile::fill(const std::function<void(const std::string&)>& write) const {
+void OutputFile::fill(const std::function<void(const std::string&)>& write) {
+  committed_ = false;
   try {
     write(temporary_path_);
   } catch (const InputError&) {
@@ -62,6 +63,7 @@ void OutputFile::commit() {
   if (error)
     throw std::runtime_error("'" + path_ + "': cannot be put in place: " + error.message());
   committed_ = true;
+  exists_ = true;
 }
 
 }  // namespace terrview

@@ -20,15 +20,19 @@ class OutputFile {
 
   // Calls `write` with the path of the temporary file, which has the extension of path(). The
   // reason it gives by a std::runtime_error gets the name of path().
-  void fill(const std::function<void(const std::string& temporary_path)>& write) const;
+  void fill(const std::function<void(const std::string& temporary_path)>& write);
 
-  // Renames the temporary file into place.
+  // Renames the temporary file into place. May be filled and committed again.
   void commit();
+
+  // Whether it has ever been put in place.
+  [[nodiscard]] bool exists() const { return exists_; }
 
  private:
   std::string path_;
   std::string temporary_path_;
   bool committed_ = false;
+  bool exists_ = false;
 };
 
 }  // namespace terrview

@@ -2,8 +2,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
+#include "render/color_ramp.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -75,6 +77,13 @@ double parse_number(const std::string& option, const std::string& text) {
   return *value;
 }
 
+double parse_visibility(const std::string& option, const std::string& text) {
+  if (text == "inf") return std::numeric_limits<double>::infinity();
+  const auto value = number(text);
+  if (!value || *value <= 0) refuse(option, text, "give kilometres above 0, or inf for no air");
+  return *value;
+}
+
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   std::size_t fewest, std::size_t most) {
   const auto parts = split(text, ',');
@@ -128,6 +137,15 @@ Target parse_look_at(const std::string& text) {
 Target parse_look_at_xy(const std::string& text) {
   const Place place = parse_place("--look-at-xy", text, "X,Y or X,Y,Z", true);
   return {{}, place.point, place.height};
+}
+
+glm::vec3 parse_color(const std::string& option, const std::string& text) {
+  const auto values = parse_numbers(option, text, 3, 3);
+  for (const double value : values) {
+    if (value < 0 || value > 255) refuse(option, text, "give R,G,B from 0 to 255, as 180,200,220");
+  }
+  return from_srgb8(static_cast<float>(values[0]), static_cast<float>(values[1]),
+                    static_cast<float>(values[2]));
 }
 
 glm::ivec2 parse_size(const std::string& text) {

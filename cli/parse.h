@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "ingest/view_frame.h"
 
@@ -17,6 +18,9 @@ namespace terrview {
 
 // The whole of `text` as a finite number.
 [[nodiscard]] double parse_number(const std::string& option, const std::string& text);
+
+// A visibility in kilometres: a number above 0, or inf.
+[[nodiscard]] double parse_visibility(const std::string& option, const std::string& text);
 
 // Numbers parted by commas, between `fewest` and `most` of them.
 [[nodiscard]] std::vector<double> parse_numbers(const std::string& option, const std::string& text,
@@ -45,6 +49,12 @@ struct Target {
 };
 [[nodiscard]] Target parse_look_at(const std::string& text);
 [[nodiscard]] Target parse_look_at_xy(const std::string& text);
+
+// An ISO 8601 date and time, 2026-06-21T15:00Z or with an offset as +02:00, as a Julian day of UTC.
+[[nodiscard]] double parse_time(const std::string& text);
+
+// R,G,B from 0 to 255, sRGB; the result is linear.
+[[nodiscard]] glm::vec3 parse_color(const std::string& option, const std::string& text);
 
 // WxH.
 [[nodiscard]] glm::ivec2 parse_size(const std::string& text);

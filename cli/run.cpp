@@ -48,8 +48,12 @@ int run(const std::vector<std::string>& args) {
     return dispatch(args);
   } catch (const NothingToDo&) {
     return 0;
-  } catch (const Interrupted&) {
-    std::fputs("terrview: interrupted: nothing was written\n", stderr);
+  } catch (const Interrupted& interrupted) {
+    if (interrupted.left.empty())
+      std::fputs("terrview: interrupted: nothing was written\n", stderr);
+    else
+      std::fprintf(stderr, "terrview: interrupted: '%s' is as far as it came\n",
+                   interrupted.left.c_str());
     return 130;
   } catch (const InputError& error) {
     std::fprintf(stderr, "terrview: %s\n", error.what());

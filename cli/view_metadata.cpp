@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
+#include "cli/view_light.h"
 
 namespace terrview {
 namespace {
@@ -28,6 +29,23 @@ Json reading_json(const DemOptions& dem) {
   if (dem.nodata) json["nodata"] = *dem.nodata;
   if (!dem.fill_voids) json["voids"] = "open";
   return json;
+}
+
+Json air_json(const AirOptions& options) {
+  const Air air = make_air(options);
+  const auto color = [](const glm::vec3& c) { return Json{c.x, c.y, c.z}; };
+  Json json;
+  json["extinction_per_km"] = 1000 * air.extinction_per_m;
+  if (air.color) json["color"] = color(*air.color);
+  if (air.sunward) json["color_sun"] = color(*air.sunward);
+  if (options.haze_px > 0) json["haze"] = options.haze_px;
+  return json;
+}
+
+Json samples_json(const SamplingOptions& options) {
+  if (options.preview) return {{"preview", options.contrast}};
+  if (options.samples > 0) return options.samples;
+  return {{"adaptive", options.contrast}};
 }
 
 const char* name_of(SurfaceModel surface) {
@@ -56,7 +74,12 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   if (!reading.empty()) json["reading"] = reading;
   json["sun"] = {{"azimuth", sun.azimuth_rad * kDegrees},
                  {"elevation", sun.elevation_rad * kDegrees}};
-  json["shadows"] = !options.no_shadows;
+  const LightOptions& light = options.light;
+  json["sun"]["refracted"] = light.refracted_sun;
+  json["shade"] = light.relief ? "relief" : "sun";
+  json["shadows"] = !casts_shadows(light) ? "none" : light.soft_shadows ? "soft" : "hard";
+  json["air"] = air_json(options.air);
+  json["samples"] = samples_json(options.sampling);
   json["surface"] = name_of(options.surface);
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
   if (!options.colors.empty()) json["colors"] = file_name(options.colors);

@@ -1,39 +1,10 @@
 #include "cli/view_options.h"
 
-#include <functional>
-#include <numbers>
-
-#include <CLI/CLI.hpp>
+#include "cli/add_option.h"
+#include "cli/view_light_options.h"
 
 namespace terrview {
 namespace {
-
-// An option whose text goes through one of the functions of cli/parse.h.
-CLI::Option* add_parsed(CLI::App& app, const std::string& name,
-                        std::function<void(const std::string&)> parse, const std::string& help) {
-  return app.add_option_function<std::string>(name, std::move(parse), help);
-}
-
-// CLI11's own numbers may be nan, infinite or hexadecimal.
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value,
-                        const std::string& help) {
-  return add_parsed(
-             app, name,
-             [&value, name](const std::string& text) { value = parse_number(name, text); }, help)
-      ->type_name("NUMBER");
-}
-
-template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
-                        const std::map<std::string, Value>& choices, const std::string& help) {
-  std::string names;
-  for (const auto& [key, unused] : choices) names += (names.empty() ? "" : "|") + key;
-  return app
-      .add_option_function<std::string>(
-          name, [&value, choices](const std::string& text) { value = choices.at(text); }, help)
-      ->check(CLI::IsMember(choices))
-      ->type_name(names);
-}
 
 void add_place_options(CLI::App& app, ViewOptions& options) {
   auto* eye = add_parsed(
@@ -100,31 +71,9 @@ void add_ground_options(CLI::App& app, ViewOptions& options) {
          "curved (default), or flat: the affine map at the eye, no drop")
       ->check(CLI::IsMember({"curved", "flat"}))
       ->type_name("curved|flat");
-  app.add_option_function<std::string>(
-         "--coherence", [&](const std::string& text) { options.coherence = text == "on"; },
-         "off: trace every ray on its own, cell by cell; the same picture, later")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->type_name("on|off");
+  add_switch(app, "--coherence", options.coherence,
+             "off: trace every ray on its own, cell by cell; the same picture, later");
   add_number(app, "--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
-}
-
-void add_light_options(CLI::App& app, ViewOptions& options) {
-  add_parsed(
-      app, "--sun",
-      [&](const std::string& text) {
-        const auto angles = parse_numbers("--sun", text, 2, 2);
-        constexpr double kRadians = std::numbers::pi / 180;
-        options.sun = SunPosition{angles[0] * kRadians, angles[1] * kRadians};
-      },
-      "The sun as seen from the eye, degrees (default: 3 pm on the longest day there)")
-      ->type_name("AZ,EL");
-  app.add_flag("--no-shadows", options.no_shadows, "No cast shadows");
-  add_choice<NormalKind>(app, "--normals", options.normals,
-                         {{"smooth", NormalKind::smooth}, {"facet", NormalKind::facet}},
-                         "Light smooth ground (default) or its facets");
-  app.add_option("--colors", options.colors,
-                 "Colours by altitude: gdaldem color-relief text or a QGIS colour map")
-      ->type_name("FILE");
 }
 
 void add_output_options(CLI::App& app, ViewOptions& options) {
@@ -150,7 +99,7 @@ void add_output_options(CLI::App& app, ViewOptions& options) {
       ->type_name("FILE");
   app.add_option("--camera", options.camera, "The resolved camera as JSON")->type_name("FILE");
   app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
-      ->check(CLI::Range(1, 4096));
+      ->check(CLI::Range(1, 256));
   app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
   app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");
 }
@@ -199,6 +148,7 @@ void add_view_options(CLI::App& app, ViewOptions& options) {
   add_projection_options(app, options);
   add_ground_options(app, options);
   add_light_options(app, options);
+  add_sampling_options(app, options);
   add_output_options(app, options);
 }
 

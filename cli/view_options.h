@@ -21,6 +21,29 @@ class App;
 
 namespace terrview {
 
+struct LightOptions {
+  std::optional<SunPosition> sun;
+  std::optional<double> time;  // Julian day of UTC
+  bool refracted_sun = false;  // drawn where refraction lifts it
+  bool soft_shadows = false;
+  bool no_shadows = false;
+  bool relief = false;  // a map's light
+};
+
+struct AirOptions {
+  std::optional<double> visibility_km;  // infinite = no air; none = 60
+  std::optional<double> extinction_per_km;
+  std::optional<glm::vec3> color;
+  std::optional<glm::vec3> sunward;
+  double haze_px = 0;  // at the distance of the visibility
+};
+
+struct SamplingOptions {
+  int samples = 0;  // a pixel; 0 = adaptive
+  double contrast = 0.03;
+  bool preview = false;
+};
+
 struct ViewOptions {
   std::vector<std::string> dems;
   DemOptions dem;
@@ -42,8 +65,9 @@ struct ViewOptions {
   SurfaceModel surface = SurfaceModel::hyperboloid;
   bool coherence = true;
   NormalKind normals = NormalKind::smooth;
-  std::optional<SunPosition> sun;
-  bool no_shadows = false;
+  LightOptions light;
+  AirOptions air;
+  SamplingOptions sampling;
   std::string colors;
   int threads = 0;
 
@@ -54,6 +78,7 @@ struct ViewOptions {
   std::string layers;
   std::string stats;
   std::string camera;
+  std::string progressive;
   bool quiet = false;
   bool progress = false;
 };

@@ -70,6 +70,23 @@ void write_geotiff_layers(const std::string& path, const Raster<PixelSample>& sa
   write_layers(path, samples.width_px(), samples.height_px(), bands, camera_json);
 }
 
+// What the air does to every pixel, hit or not: colour = clear * q + air * (1 - q).
+void add_air_channels(const Raster<PixelSample>& samples, std::vector<FloatChannel>& channels) {
+  const auto add = [&](const char* name, const auto& value_of) {
+    FloatChannel channel{name, {}};
+    channel.values.reserve(samples.pixels().size());
+    for (const PixelSample& sample : samples.pixels()) channel.values.push_back(value_of(sample));
+    channels.push_back(std::move(channel));
+  };
+  add("clear.R", [](const PixelSample& s) { return s.clear.x; });
+  add("clear.G", [](const PixelSample& s) { return s.clear.y; });
+  add("clear.B", [](const PixelSample& s) { return s.clear.z; });
+  add("air.R", [](const PixelSample& s) { return s.air.x; });
+  add("air.G", [](const PixelSample& s) { return s.air.y; });
+  add("air.B", [](const PixelSample& s) { return s.air.z; });
+  add("q", [](const PixelSample& s) { return s.transmission; });
+}
+
 void write_exr_layers(const std::string& path, const Raster<PixelSample>& samples,
                       const ViewFrame& frame, int threads, const std::string& camera_json) {
   const std::vector<float> nothing(samples.pixels().size(),
@@ -86,6 +103,7 @@ void write_exr_layers(const std::string& path, const Raster<PixelSample>& sample
     }
     channels[7].values[i] = static_cast<float>(sample.object_id);
   });
+  add_air_channels(samples, channels);
   write_exr(path, {samples.width_px(), samples.height_px()}, channels,
             {{"terrview:camera", camera_json}});
 }

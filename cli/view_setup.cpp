@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "cli/view_light.h"
 #include "ingest/color_ramp_file.h"
 #include "terrain/error.h"
 
@@ -15,8 +17,6 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kDegrees = 180 / std::numbers::pi;
-// Where nothing tells the latitude, the sun is that of the middle latitudes.
-constexpr double kUnknownLatitude_rad = 45 * kRadians;
 
 // A place and height to aim at, in the view frame.
 glm::dvec3 target_point(const Target& target, const ViewFrame& frame) {
@@ -78,7 +78,40 @@ HeightRange whole_range(const Terrain& terrain) {
   return whole;
 }
 
-// What the options say of the view before any ground is known: all but the eye and the aim.
+// A DEM without a coordinate system has no curved Earth.
+void check_curved(const ViewOptions& options, const Dem& dem) {
+  const char* option = options.refraction                    ? "--refraction"
+                       : options.earth == EarthModel::curved ? "--earth curved"
+                                                             : nullptr;
+  if (option)
+    throw InputError(std::string(option) + ": '" + dem.name +
+                     "' has no coordinate system, so it is flat: leave it out, or give one with "
+                     "--a-srs EPSG:CODE");
+}
+
+Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPosition& sun) {
+  Scene scene;
+  scene.terrain = frame.terrain();
+  scene.normals = options.normals;
+  set_light(options.light, sun, scene);
+  scene.air = make_air(options.air);
+  if (!options.colors.empty())
+    scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
+  return scene;
+}
+
+}  // namespace
+
+ViewFrameOptions frame_options(const ViewOptions& options) {
+  ViewFrameOptions frame;
+  frame.earth = options.earth.value_or(frame.earth);
+  frame.refraction = options.refraction.value_or(frame.refraction);
+  frame.z_scale = options.z_scale.value_or(frame.z_scale);
+  frame.surface = options.surface;
+  frame.search = options.coherence ? Search::pyramid : Search::plain;
+  return frame;
+}
+
 ResolvedView known_view(const ViewOptions& options) {
   ResolvedView view;
   view.pitch_deg = options.pitch_deg.value_or(view.pitch_deg);
@@ -92,54 +125,6 @@ ResolvedView known_view(const ViewOptions& options) {
   view.refraction = placed.refraction;
   view.z_scale = placed.z_scale;
   return view;
-}
-
-void check_angles(const ViewOptions& options) {
-  if (std::abs(options.pitch_deg.value_or(0)) > 90)
-    throw InputError("--pitch: give degrees between -90 (down) and 90 (up)");
-  if (options.sun && std::abs(options.sun->elevation_rad) > 90 * kRadians)
-    throw InputError("--sun: the elevation is beyond 90 degrees: the order is AZ,EL");
-}
-
-void check_earth(const ViewOptions& options) {
-  if (options.earth == EarthModel::flat && options.refraction)
-    throw InputError("--refraction: light is straight over a flat Earth: leave it out");
-  if (options.refraction && std::abs(*options.refraction) > 1)
-    throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
-  if (options.z_scale && !(*options.z_scale > 0))
-    throw InputError("--z-scale: give a number above 0");
-}
-
-// A DEM without a coordinate system has no curved Earth.
-void check_curved(const ViewOptions& options, const Dem& dem) {
-  const char* option = options.refraction                    ? "--refraction"
-                       : options.earth == EarthModel::curved ? "--earth curved"
-                                                             : nullptr;
-  if (option)
-    throw InputError(std::string(option) + ": '" + dem.name +
-                     "' has no coordinate system, so it is flat: leave it out, or give one with "
-                     "--a-srs EPSG:CODE");
-}
-
-}  // namespace
-
-void prepare(ViewOptions& options) {
-  if (!options.from_camera.empty()) apply_camera_file(options);
-  if (!options.eye) throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
-  check_angles(options);
-  check_earth(options);
-  static_cast<void>(make_camera(known_view(options)));  // throws if there is no such camera
-  if (options.projection == Projection::cylindrical) options.pitch_deg = 0;
-}
-
-ViewFrameOptions frame_options(const ViewOptions& options) {
-  ViewFrameOptions frame;
-  frame.earth = options.earth.value_or(frame.earth);
-  frame.refraction = options.refraction.value_or(frame.refraction);
-  frame.z_scale = options.z_scale.value_or(frame.z_scale);
-  frame.surface = options.surface;
-  frame.search = options.coherence ? Search::pyramid : Search::plain;
-  return frame;
 }
 
 ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
@@ -166,21 +151,13 @@ Camera make_camera(const ResolvedView& view) {
                  .size_px = view.size_px});
 }
 
-SunPosition resolve_sun(const ViewOptions& options, const ViewFrame& frame) {
-  if (options.sun) return *options.sun;
-  const auto& place = frame.eye().geographic;
-  return summer_afternoon(place ? place->latitude_deg * kRadians : kUnknownLatitude_rad);
-}
-
-Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPosition& sun) {
-  Scene scene;
-  scene.terrain = frame.terrain();
-  scene.normals = options.normals;
-  scene.light.towards_sun = towards(sun);
-  scene.light.casts_shadows = !options.no_shadows;
-  if (!options.colors.empty())
-    scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
-  return scene;
+View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
+  ViewFrame frame(dems, *options.eye, frame_options(options));
+  const ResolvedView resolved = resolve_view(options, frame, dems);
+  const SunPosition sun =
+      resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
+  Scene scene = make_scene(options, frame, sun);
+  return {std::move(frame), resolved, sun, make_camera(resolved), std::move(scene)};
 }
 
 }  // namespace terrview

@@ -9,11 +9,10 @@
 
 namespace terrview {
 
-// Checks what can be checked before any file is read, and fills in --from-camera. Throws
-// InputError.
-void prepare(ViewOptions& options);
-
 [[nodiscard]] ViewFrameOptions frame_options(const ViewOptions& options);
+
+// What the options say of the view before any ground is known: all but the eye and the aim.
+[[nodiscard]] ResolvedView known_view(const ViewOptions& options);
 
 // Chooses what the options leave open: the aim, the field of view, the size.
 [[nodiscard]] ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
@@ -21,10 +20,15 @@ void prepare(ViewOptions& options);
 
 [[nodiscard]] Camera make_camera(const ResolvedView& view);
 
-// The sun of --sun, or three in the afternoon on the longest day at the eye's latitude.
-[[nodiscard]] SunPosition resolve_sun(const ViewOptions& options, const ViewFrame& frame);
+// A view with everything made that rendering needs.
+struct View {
+  ViewFrame frame;
+  ResolvedView resolved;
+  SunPosition sun;
+  Camera camera;
+  Scene scene;
+};
 
-[[nodiscard]] Scene make_scene(const ViewOptions& options, const ViewFrame& frame,
-                               const SunPosition& sun);
+[[nodiscard]] View make_view(const ViewOptions& options, const std::vector<Dem>& dems);
 
 }  // namespace terrview

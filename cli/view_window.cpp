@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "cli/view_light.h"
 #include "cli/view_setup.h"
 #include "ingest/crs_transform.h"
 #include "ingest/sight.h"
@@ -104,7 +105,7 @@ double shadow_reach_m(const ViewOptions& options, const SunPosition& sun, double
   // Where the ground is far away, the sun stands lower over it by the angle between the plumb
   // lines.
   const double elevation_rad = sun.elevation_rad - reach_m * 1.1 / 6.37e6;
-  if (options.no_shadows) return 0;
+  if (!casts_shadows(options.light)) return 0;
   if (elevation_rad < kRadians) return reach_m;
   const double relief_m = options.z_scale.value_or(1) * (kHighest_m - kLowest_m);
   return std::min(reach_m, relief_m / std::tan(elevation_rad));
@@ -125,8 +126,7 @@ ViewSector sector_of(const ViewOptions& options) {
                                                  : z_scale * options.eye->height_m;
   sector.reach_m = sight_m(frame, z_scale * kLowest_m, z_scale * kHighest_m);
 
-  const SunPosition sun =
-      options.sun.value_or(summer_afternoon(sector.eye.latitude_deg * kRadians));
+  const SunPosition sun = resolve_sun(options.light, {sector.eye, options.eye->height_m});
   sector.sun_azimuth_rad = sun.azimuth_rad;
   sector.shadow_m = shadow_reach_m(options, sun, sector.reach_m);
   return sector;

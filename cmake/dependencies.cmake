@@ -28,6 +28,13 @@ if(NOT TARGET GeographicLib::GeographicLib)
   target_include_directories(GeographicLib::GeographicLib INTERFACE ${GeographicLib_INCLUDE_DIRS})
 endif()
 
+# libnova comes with neither a CMake package nor a pkg-config file.
+find_path(LIBNOVA_INCLUDE_DIR libnova/libnova.h REQUIRED)
+find_library(LIBNOVA_LIBRARY nova REQUIRED)
+add_library(libnova::libnova INTERFACE IMPORTED)
+target_link_libraries(libnova::libnova INTERFACE ${LIBNOVA_LIBRARY})
+target_include_directories(libnova::libnova INTERFACE ${LIBNOVA_INCLUDE_DIR})
+
 if(TERRVIEW_TESTS)
   find_package(GTest 1.12 REQUIRED)
   find_package(rapidcheck CONFIG REQUIRED)

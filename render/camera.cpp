@@ -104,16 +104,18 @@ std::optional<glm::dvec2> Camera::project(const glm::dvec3& point_m) const {
   return pixel(right_m / depth_m / per_px_, up_m / depth_m / per_px_);
 }
 
-std::optional<ColumnView> column_view(const Camera& camera) {
+PixelLattice pixel_centres(const Camera& camera) { return {.count = camera.options().size_px}; }
+
+std::optional<ColumnView> column_view(const Camera& camera, const PixelLattice& lattice) {
   const CameraOptions& options = camera.options();
   if (options.projection == Projection::orthographic || options.pitch_rad != 0 ||
       options.roll_rad != 0)
     return std::nullopt;
   ColumnView view;
-  for (int column = 0; column < options.size_px.x; ++column)
-    view.across.emplace_back(camera.ray({column + 0.5, 0.5}).direction);
-  for (int row = 0; row < options.size_px.y; ++row)
-    view.rise.push_back(camera.ray({0.5, row + 0.5}).direction.z);
+  for (int column = 0; column < lattice.count.x; ++column)
+    view.across.emplace_back(camera.ray(lattice.at({column, 0})).direction);
+  for (int row = 0; row < lattice.count.y; ++row)
+    view.rise.push_back(camera.ray(lattice.at({0, row})).direction.z);
   return view;
 }
 

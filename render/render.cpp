@@ -1,148 +1,161 @@
 #include "render/render.h"
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cmath>
-#include <optional>
-#include <vector>
+#include <utility>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
+#include "render/antialias.h"
+#include "render/haze.h"
 #include "render/parallel.h"
-#include "terrain/column_tracer.h"
-#include "terrain/view_transform.h"
+#include "render/refine.h"
+#include "render/sampling.h"
 
 namespace terrview {
 namespace {
 
-glm::vec3 sky_color(const SkyGradient& sky, const glm::dvec3& direction) {
-  // The square root spends most of the gradient near the horizon, as the air does.
-  const double height = std::sqrt(std::max(0.0, glm::normalize(direction).z));
-  return glm::mix(sky.horizon, sky.zenith, static_cast<float>(height));
-}
-
-// A rectangle of pixels that one thread renders at a time.
-struct Block {
-  glm::ivec2 first;
-  glm::ivec2 size;
-};
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Renders blocks of one frame. Pixels do not depend on each other, so any thread may take any
-// block.
-class BlockRenderer {
+// A picture in the making: the rays through the pixels' centres first, then what is made of them.
+class Picture {
  public:
-  BlockRenderer(const Scene& scene, const Camera& camera, bool coherence, Frame& frame)
-      : scene_(scene), camera_(camera), frame_(frame) {
-    if (coherence && has_columns(*scene.terrain)) columns_ = column_view(camera);
+  Picture(const Scene& scene, const Camera& camera, const RenderOptions& options)
+      : options_(options),
+        size_(camera.options().size_px),
+        sampler_(scene, camera, options),
+        base_(size_.x, size_.y),
+        haze_(scene.air, base_),
+        hazy_(scene.air.haze_px_per_m > 0 && !options.preview) {
+    if (options.keep_samples) frame_.samples = Raster<PixelSample>(size_.x, size_.y);
   }
 
-  // Strips of columns where columns are coherent, else rows.
-  [[nodiscard]] std::vector<Block> blocks() const {
-    const glm::ivec2 size = camera_.options().size_px;
-    const int step = columns_ ? kStripColumns : 1;
-    std::vector<Block> blocks;
-    if (columns_) {
-      for (int column = 0; column < size.x; column += step)
-        blocks.push_back({{column, 0}, {std::min(step, size.x - column), size.y}});
-    } else {
-      for (int row = 0; row < size.y; ++row) blocks.push_back({{0, row}, {size.x, 1}});
+  Frame render() {
+    if (options_.preview || options_.improved) trace_blocks();
+    if (options_.preview) return finish(mixed_blocks(base_, options_.threads));
+    trace_centres();
+    if (options_.improved) options_.improved(centres());
+    Image image = centres();
+    const Resolve resolve = [this](glm::ivec2 pixel, const Sample& sample) {
+      return hazy_ ? haze_.blurred(pixel, sample) : sample.color;
+    };
+    if (options_.samples == 0) {
+      sampler_.set_progress(kCentres, 1);
+      antialias(sampler_, options_.contrast, base_, resolve, image);
+    } else if (options_.samples > 1) {
+      supersample(sampler_, options_.samples, base_, resolve, image);
     }
-    return blocks;
-  }
-
-  RenderCounts render(const Block& block) const {
-    RenderCounts counts;
-    const auto start = std::chrono::steady_clock::now();
-    const std::vector<std::optional<Hit>> hits = trace(block, counts);
-    counts.rays = static_cast<std::int64_t>(hits.size());
-    counts.trace_s = seconds_since(start);
-    const auto traced = std::chrono::steady_clock::now();
-    auto hit = hits.begin();
-    for (int column = block.first.x; column < block.first.x + block.size.x; ++column) {
-      for (int row = block.first.y; row < block.first.y + block.size.y; ++row, ++hit) {
-        counts.hits += hit->has_value() ? 1 : 0;
-        frame_.image.at(column, row) = *hit ? shade_ground(**hit, {column, row}, counts)
-                                            : sky_color(scene_.sky, ray({column, row}).direction);
-      }
-    }
-    counts.shade_s = seconds_since(traced);
-    return counts;
+    return finish(std::move(image));
   }
 
  private:
-  static constexpr int kStripColumns = 16;
+  // The share of the work that the centres are thought to be, where pixels take what they need.
+  static constexpr double kCentres = 0.5;
 
-  [[nodiscard]] Ray ray(glm::ivec2 pixel) const { return camera_.ray(glm::dvec2(pixel) + 0.5); }
-
-  // The hits of a block, column by column.
-  std::vector<std::optional<Hit>> trace(const Block& block, RenderCounts& counts) const {
-    std::vector<std::optional<Hit>> hits;
-    hits.reserve(static_cast<std::size_t>(block.size.x) * static_cast<std::size_t>(block.size.y));
-    TraceCounts traced;
-    if (columns_) {
-      trace_strip(block, hits, traced);
-    } else {
-      for (int column = block.first.x; column < block.first.x + block.size.x; ++column) {
-        for (int row = block.first.y; row < block.first.y + block.size.y; ++row)
-          hits.push_back(scene_.terrain->first_hit(ray({column, row}), &traced));
-      }
-    }
-    counts.tests = traced.tests;
-    counts.nodes = traced.nodes;
-    return hits;
+  [[nodiscard]] double centres_share() const {
+    return options_.samples == 0 ? kCentres : 1.0 / options_.samples;
   }
 
-  void trace_strip(const Block& block, std::vector<std::optional<Hit>>& hits,
-                   TraceCounts& counts) const {
-    std::vector<ColumnHit> met(hits.capacity());
-    trace_columns(*scene_.terrain, *columns_, block.first.x, block.size.x, met, counts);
-    auto next = met.begin();
-    for (int column = block.first.x; column < block.first.x + block.size.x; ++column) {
-      for (int row = 0; row < block.size.y; ++row, ++next) {
-        if (next->g_m < 0)
-          hits.emplace_back();
-        else
-          hits.emplace_back(column_hit(*columns_, column, row, *next));
-      }
+  void keep(glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+    base_.at(pixel.x, pixel.y) = {shaded.color, shaded.distance_m};
+    if (!frame_.samples.empty()) keep_layers(pixel, shaded, hit);
+  }
+
+  void keep_layers(glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+    PixelSample& sample = frame_.samples.at(pixel.x, pixel.y);
+    sample.clear = shaded.clear;
+    sample.air = shaded.air;
+    sample.transmission = shaded.transmission;
+    if (!hit) return;
+    sample.position_m = hit->position_m;
+    sample.normal = shaded.normal;
+    sample.object_id = PixelSample::kGround;
+  }
+
+  // Coarse blocks, and finer ones where they differ.
+  void trace_blocks() {
+    for (int block_px = kFirstBlock_px; block_px >= 1; block_px /= 2) {
+      sampler_.set_progress(0, options_.preview ? 1.0 / block_px : 0);
+      refine(sampler_, block_px, options_.contrast, base_,
+             [&](glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+               keep(pixel, shaded, hit);
+             });
+      if (options_.improved) options_.improved(mixed_blocks(base_, options_.threads));
     }
   }
 
-  glm::vec3 shade_ground(const Hit& hit, glm::ivec2 pixel, RenderCounts& counts) const {
-    const glm::dvec3 normal = scene_.normals == NormalKind::facet
-                                  ? scene_.terrain->facet_normal(hit)
-                                  : scene_.terrain->smooth_normal(hit);
-    if (!frame_.samples.empty())
-      frame_.samples.at(pixel.x, pixel.y) = {hit.position_m, glm::vec3(normal),
-                                             PixelSample::kGround};
-    const VerticalFrame& frame = scene_.terrain->frame();
-    const double height_m =
-        frame.at(glm::dvec2(hit.position_m)).scene_height_m(hit.position_m.z) / frame.z_scale;
-    const glm::vec3 color = scene_.tints.at(height_m);
-    const Light& light = scene_.light;
-    const glm::dvec3 to_sun = local_direction(frame, hit.position_m, light.towards_sun);
-    const double facing = glm::dot(normal, to_sun);
-    if (facing <= 0 || to_sun.z <= 0 || in_shadow(hit, counts)) return light.ambient * color;
-    return (light.ambient + static_cast<float>(facing) * light.sun) * color;
+  // What is left of the pixels' centres, but for those that haze fills.
+  void trace_centres() {
+    const bool sparse = hazy_ && options_.sparse_haze;
+    if (sparse) {
+      sampler_.set_progress(0, centres_share() / 4);
+      trace_untraced(2);
+      choose_filled();
+    }
+    sampler_.set_progress(sparse ? centres_share() / 4 : 0, centres_share());
+    trace_untraced(1);
+    drop_filled();
   }
 
-  bool in_shadow(const Hit& hit, RenderCounts& counts) const {
-    if (!scene_.light.casts_shadows) return false;
-    ++counts.shadow_rays;
-    const glm::dvec3 direction =
-        direction_at(scene_.terrain->frame(), hit.position_m, scene_.light.towards_sun);
-    return scene_.terrain->occluded(scene_.terrain->leave(hit, direction));
+  void trace_untraced(int step) {
+    const bool layers = !frame_.samples.empty();
+    sampler_.trace_lattice(
+        0, step,
+        [&](glm::ivec2 pixel) {
+          return !base_.at(pixel.x, pixel.y).traced() && (layers || !is_filled(pixel));
+        },
+        [&](glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+          keep(pixel, shaded, hit);
+        });
   }
 
-  const Scene& scene_;
-  const Camera& camera_;
-  Frame& frame_;
-  std::optional<ColumnView> columns_;
+  void choose_filled() {
+    filled_ = Raster<char>(size_.x, size_.y, 0);
+    for_each_pixel(
+        [&](glm::ivec2 pixel) { filled_.at(pixel.x, pixel.y) = haze_.fills(pixel) ? 1 : 0; });
+  }
+
+  // Pixels that were traced for a block or a layer are filled all the same.
+  void drop_filled() {
+    if (filled_.empty()) return;
+    for_each_pixel([&](glm::ivec2 pixel) {
+      if (is_filled(pixel)) base_.at(pixel.x, pixel.y) = Sample{};
+    });
+  }
+
+  [[nodiscard]] bool is_filled(glm::ivec2 pixel) const {
+    return !filled_.empty() && filled_.at(pixel.x, pixel.y) != 0;
+  }
+
+  // The picture of one ray a pixel.
+  [[nodiscard]] Image centres() const {
+    Image image(size_.x, size_.y);
+    for_each_pixel([&](glm::ivec2 pixel) {
+      const Sample& sample = base_.at(pixel.x, pixel.y);
+      image.at(pixel.x, pixel.y) = is_filled(pixel) ? haze_.filled(pixel)
+                                   : hazy_          ? haze_.blurred(pixel, sample)
+                                                    : sample.color;
+    });
+    return image;
+  }
+
+  template <class Work>
+  void for_each_pixel(const Work& work) const {
+    parallel_for(size_.y, options_.threads, [&](int row) {
+      for (int column = 0; column < size_.x; ++column) work(glm::ivec2(column, row));
+    });
+  }
+
+  Frame finish(Image image) {
+    frame_.image = std::move(image);
+    frame_.counts = sampler_.total;
+    if (options_.improved) options_.improved(frame_.image);
+    if (options_.progress) options_.progress(1);
+    return std::move(frame_);
+  }
+
+  const RenderOptions& options_;
+  glm::ivec2 size_;
+  Sampler sampler_;
+  Raster<Sample> base_;
+  Haze haze_;
+  bool hazy_;
+  Raster<char> filled_;
+  Frame frame_;
 };
 
 }  // namespace
@@ -159,24 +172,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
 }
 
 Frame render(const Scene& scene, const Camera& camera, const RenderOptions& options) {
-  const glm::ivec2 size = camera.options().size_px;
-  Frame frame;
-  frame.image = Image(size.x, size.y);
-  if (options.keep_samples) frame.samples = Raster<PixelSample>(size.x, size.y);
-  const BlockRenderer renderer(scene, camera, options.coherence, frame);
-  const std::vector<Block> blocks = renderer.blocks();
-  const int count = static_cast<int>(blocks.size());
-
-  std::vector<RenderCounts> counts(blocks.size());
-  std::atomic<int> blocks_done{0};
-  parallel_for(count, options.threads, [&](int index) {
-    const auto i = static_cast<std::size_t>(index);
-    counts[i] = renderer.render(blocks[i]);
-    const int done = ++blocks_done;
-    if (options.progress) options.progress(static_cast<double>(done) / count);
-  });
-  for (const RenderCounts& block : counts) frame.counts += block;
-  return frame;
+  return Picture(scene, camera, options).render();
 }
 
 }  // namespace terrview

@@ -16,6 +16,20 @@ struct RenderOptions {
   int threads = 0;            // 0 = all the processor has; never changes the picture
   bool coherence = true;      // false: every ray on its own; the same picture, later
   bool keep_samples = false;  // fill Frame::samples
+  // Rays a pixel. 0 = as many as it needs: one; four where it differs from a neighbour by more than
+  // `contrast`; sixteen where those four do among themselves, or where the ground beside it is a
+  // quarter further or nearer.
+  int samples = 1;
+  float contrast = 0.03F;  // of a component in sRGB, 0 to 1
+  // Where haze blurs enough, three pixels of four are left to the blur. False: every pixel is
+  // traced; nearly the same picture, later.
+  bool sparse_haze = true;
+  // Only blocks of 8 x 8 pixels, refined to smaller ones where their corners differ by more than
+  // `contrast`; for a quick look. No haze, and one ray a pixel.
+  bool preview = false;
+  // Called with better and better pictures, from such blocks on; the last is the frame's own. The
+  // frame is the same as without, to the byte.
+  std::function<void(const Image& image)> improved = {};
   // Called from any thread with the share done, 0 to 1; what it throws ends the rendering.
   std::function<void(double share)> progress = {};
 };
@@ -25,6 +39,10 @@ struct PixelSample {
   glm::dvec3 position_m{0, 0, 0};  // view frame
   glm::vec3 normal{0, 0, 0};       // as Terrain's normals
   std::int32_t object_id = kNothing;
+  // Colour = clear * transmission + air * (1 - transmission).
+  glm::vec3 clear{0, 0, 0};
+  glm::vec3 air{0, 0, 0};
+  float transmission = 1;
 
   static constexpr std::int32_t kNothing = -1;
   static constexpr std::int32_t kGround = 0;

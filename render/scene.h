@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
@@ -17,13 +18,29 @@ struct Light {
   glm::vec3 sun{0.95F, 0.91F, 0.82F};
   glm::vec3 ambient{0.23F, 0.26F, 0.31F};
   bool casts_shadows = true;
+  double sun_radius_rad = 0;  // of the disc that softens the edges of shadows; 0 = a point
 };
 
-// A plain sky: one colour at the horizon, another overhead.
+// A plain sky: one colour at the horizon, another overhead, and one at the horizon about the sun.
 struct SkyGradient {
   glm::vec3 horizon{0.56F, 0.68F, 0.82F};
   glm::vec3 zenith{0.08F, 0.20F, 0.52F};
+  std::optional<glm::vec3> sunward = {};  // none: the horizon's all round
 };
+
+// The air between: colour <- colour q + air (1 - q), q = exp(-extinction * distance) (Coquillart
+// 1984, chapter 1, 6); and the blur of what is far away, of standard deviation haze_px_per_m *
+// distance.
+struct Air {
+  double extinction_per_m = 0;
+  double haze_px_per_m = 0;
+  std::optional<glm::vec3> color = {};  // none: the sky's at the horizon
+  std::optional<glm::vec3> sunward =
+      {};  // towards the sun; none: `color`, or the sky's without one
+};
+
+// At the visibility a black object keeps 2 percent of its contrast (Koschmieder's law).
+inline constexpr double kExtinctionTimesVisibility = 3.912;
 
 enum class NormalKind { smooth, facet };
 
@@ -33,6 +50,7 @@ struct Scene {
   NormalKind normals = NormalKind::smooth;
   Light light;
   SkyGradient sky;
+  Air air;
 };
 
 }  // namespace terrview

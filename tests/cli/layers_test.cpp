@@ -153,7 +153,7 @@ TEST_F(LayersOfView, AreNothingWhereThereIsNothing) {
 }
 
 TEST_F(LayersOfView, GoWithStatisticsOfTheSameRays) {
-  view("-o a.png --layers a.tif --stats s.json");
+  view("--samples 1 -o a.png --layers a.tif --stats s.json");
   const Json stats = json("s.json");
   std::int64_t hits = 0;
   const Layers found = layers("a.tif");

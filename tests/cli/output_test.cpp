@@ -188,7 +188,7 @@ TEST_F(Output, SaysInThePictureAllThatMakesIt) {
   EXPECT_EQ(said.at("dems"), nlohmann::json({"hills.tif"}));
   EXPECT_NEAR(said.at("sun").at("azimuth").get<double>(), 100, 1e-12);
   EXPECT_NEAR(said.at("sun").at("elevation").get<double>(), 40, 1e-12);
-  EXPECT_EQ(said.at("shadows"), false);
+  EXPECT_EQ(said.at("shadows"), "none");
   EXPECT_EQ(said.at("normals"), "facet");
   EXPECT_EQ(said.at("surface"), "triangles");
   EXPECT_EQ(said.at("colors"), "map.txt");

@@ -34,6 +34,8 @@ TEST_F(Usage, ErrorsInThePlaceOfTheEyeNameTheOptionAndARemedy) {
                                      {"--eye 48,7,nan", {"--eye", "nan"}},
                                      {"--eye 98,7,900", {"--eye", "latitude", "LAT,LON"}},
                                      {"--eye 7,480,900", {"--eye", "longitude", "LAT,LON"}},
+                                     {"--eye 48,7,1e300", {"--eye", "100 000 km"}},
+                                     {"--eye-xy 1e300,7,3", {"--eye-xy", "100 000 km"}},
                                      {"--eye 48,7,900 --eye-xy 7,48,900", {"--eye", "--eye-xy"}},
                                      {"--eye-xy 7,48", {"--eye-xy 7,48", "X,Y,Z"}},
                                      {"--from-camera none.json", {"none.json", "cannot be read"}}});
@@ -66,6 +68,8 @@ TEST_F(Usage, ErrorsInTheProjectionNameTheOptionAndARemedy) {
                        {"--projection cylindrical --roll 3", {"--roll", "level"}},
                        {"--projection orthographic", {"--width", "metres"}},
                        {"--projection orthographic --width 0", {"--width", "metres"}},
+                       {"--width 500", {"--width", "--projection orthographic"}},
+                       {"--projection orthographic --width 500 --fov 30", {"--fov", "--width"}},
                        {"--projection fisheye", {"--projection", "fisheye", "cylindrical"}},
                        {"--size 64", {"--size 64", "WIDTHxHEIGHT"}},
                        {"--size 64x", {"--size 64x", "WIDTHxHEIGHT"}},
@@ -80,6 +84,7 @@ TEST_F(Usage, ErrorsInGroundAndLightNameTheOptionAndARemedy) {
   expect_each_refused("hills.tif --eye 48,7,900 ",
                       {{"--z-scale 0", {"--z-scale", "above 0"}},
                        {"--z-scale -2", {"--z-scale", "above 0"}},
+                       {"--z-scale 1e300", {"--z-scale", "1000"}},
                        {"--earth round", {"--earth", "round", "flat"}},
                        {"--earth flat --refraction 0.1", {"--refraction", "flat"}},
                        {"--refraction 3", {"--refraction", "0.13"}},
@@ -95,9 +100,16 @@ TEST_F(Usage, ErrorsInGroundAndLightNameTheOptionAndARemedy) {
                        {"--a-srs EPSG:nonsense", {"EPSG:nonsense"}},
                        {"--sun 180", {"--sun", "2 numbers"}},
                        {"--sun 45,180", {"--sun", "AZ,EL"}},
+                       {"--time noon", {"--time noon", "2026-06-21T15:00Z"}},
+                       {"--time 2026-06-21T15:00Z --sun 4,5", {"--time", "--sun", "one of them"}},
+                       {"--time 2026-06-21T15:00Z --shade relief", {"--time", "--shade"}},
+                       {"--sun-refraction some", {"--sun-refraction", "some", "on"}},
+                       {"--soft-shadows --no-shadows", {"--soft-shadows", "--no-shadows"}},
+                       {"--soft-shadows --shade relief", {"--soft-shadows", "relief"}},
                        {"--normals bumpy", {"--normals", "bumpy", "facet"}},
                        {"--colors none.txt", {"none.txt"}},
-                       {"--threads 0", {"--threads", "0"}}});
+                       {"--threads 0", {"--threads", "0", "1 to 256"}},
+                       {"--threads 4096", {"--threads", "4096", "1 to 256"}}});
 }
 
 TEST_F(Usage, ErrorsInTheFilesNameTheOptionAndARemedy) {

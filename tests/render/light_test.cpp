@@ -207,7 +207,7 @@ TEST(SmoothNormals, TurnEvenlyAcrossARidge) {
 TEST(Background, IsTheHorizonsColourBelowTheHorizonAndBluerAbove) {
   // A small ground far below: from 500 m a level view sees past it.
   const Scene scene = scene_of(plain(), {1, 1}, {0, 0, 1});
-  const Camera camera({.fov_rad = 160 * kRadians, .size_px = {9, 41}});
+  const Camera camera({.fov_rad = 60 * kRadians, .size_px = {9, 41}});
   const Image image = render(scene, camera).image;
   for (int row = 20; row < 41; ++row) EXPECT_EQ(image.at(4, row), scene.sky.horizon) << row;
   for (int row = 0; row < 20; ++row) {
@@ -216,6 +216,29 @@ TEST(Background, IsTheHorizonsColourBelowTheHorizonAndBluerAbove) {
   }
   const Camera upwards({.pitch_rad = 90 * kRadians, .size_px = {1, 1}});
   expect_color(render(scene, upwards).image.at(0, 0), scene.sky.zenith, "overhead");
+}
+
+TEST(Background, HasNoEdgeAtTheHorizon) {
+  const Scene scene = scene_of(plain(), {1, 1}, {0, 0, 1});
+  // Rows a ten thousandth of a radian apart.
+  const Camera camera({.heading_rad = 1, .fov_rad = 1e-4, .size_px = {1, 20}});
+  const Image image = render(scene, camera).image;
+  for (int row = 0; row < 19; ++row) {
+    const glm::vec3 step = image.at(0, row) - image.at(0, row + 1);
+    EXPECT_LT(glm::length(step), 4e-4) << row;
+  }
+}
+
+TEST(Background, TakesTheSunwardColourTowardsTheSunAndNotBehind) {
+  Scene scene = scene_of(plain(), {1, 1}, sun_at(90, 0));
+  scene.sky.sunward = glm::vec3(1, 0.5F, 0);
+  const auto towards = [&](double heading_deg) {
+    const Camera camera({.heading_rad = heading_deg * kRadians, .size_px = {1, 1}});
+    return render(scene, camera).image.at(0, 0);
+  };
+  expect_color(towards(90), *scene.sky.sunward, "towards the sun");
+  expect_color(towards(270), scene.sky.horizon, "away from it");
+  EXPECT_GT(towards(60).x, towards(30).x);
 }
 
 HeightGrid hills() {

@@ -1,0 +1,73 @@
+#include "cli/prepare_view.h"
+
+#include <cmath>
+#include <string>
+
+#include "cli/camera_json.h"
+#include "cli/view_light.h"
+#include "cli/view_setup.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+void check_angles(const ViewOptions& options) {
+  if (std::abs(options.pitch_deg.value_or(0)) > 90)
+    throw InputError("--pitch: give degrees between -90 (down) and 90 (up)");
+}
+
+void check_earth(const ViewOptions& options) {
+  if (options.earth == EarthModel::flat && options.refraction)
+    throw InputError("--refraction: light is straight over a flat Earth: leave it out");
+  if (options.refraction && std::abs(*options.refraction) > 1)
+    throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
+  if (options.z_scale && !(*options.z_scale > 0 && *options.z_scale <= 1000))
+    throw InputError("--z-scale: give a number above 0, up to 1000");
+}
+
+void check_eye(const EyePlace& eye) {
+  // Beyond this the Earth is a point, and the view frame's numbers lose their digits.
+  constexpr double kFarthest_m = 1e8;
+  const auto far = [&](double value_m) { return std::abs(value_m) > kFarthest_m; };
+  if (far(eye.height_m) || (eye.projected && (far(eye.projected->x) || far(eye.projected->y))))
+    throw InputError((eye.geographic ? "--eye" : "--eye-xy") +
+                     std::string(": further than 100 000 km: give metres near the DEM"));
+}
+
+// Options of one projection given for another.
+void check_projection(const ViewOptions& given, Projection projection) {
+  const bool orthographic = projection == Projection::orthographic;
+  if (given.width_m && !orthographic)
+    throw InputError(
+        "--width: the width of an orthographic picture: add --projection orthographic, or give "
+        "--fov");
+  if (given.fov_deg && orthographic)
+    throw InputError("--fov: an orthographic view has parallel rays: give --width METRES instead");
+}
+
+void check_sampling(const ViewOptions& options) {
+  if (!(options.sampling.contrast >= 0 && options.sampling.contrast <= 1))
+    throw InputError("--aa: give a difference in sRGB from 0 to 1, as 0.03");
+  if (options.sampling.preview && !options.layers.empty())
+    throw InputError("--layers: a preview does not trace every pixel: leave out --preview");
+}
+
+}  // namespace
+
+void prepare(ViewOptions& options) {
+  const ViewOptions given = options;
+  if (!options.from_camera.empty()) apply_camera_file(options);
+  if (!options.eye) throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
+  check_eye(*options.eye);
+  check_angles(options);
+  check_earth(options);
+  check_light(options.light);
+  check_air(options.air);
+  check_sampling(options);
+  const ResolvedView known = known_view(options);
+  check_projection(given, known.projection);
+  static_cast<void>(make_camera(known));  // throws if there is no such camera
+  if (options.projection == Projection::cylindrical) options.pitch_deg = 0;
+}
+
+}  // namespace terrview

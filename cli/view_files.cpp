@@ -1,0 +1,56 @@
+#include "cli/view_files.h"
+
+#include <system_error>
+
+#include "cli/camera_json.h"
+#include "cli/parse.h"
+#include "cli/view_outputs.h"
+#include "render/image_file.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+// The name without its folder, in the format's usual extension.
+std::string default_name(const ViewOptions& options) {
+  const std::string format = options.format.empty() ? "png" : lower_case(options.format);
+  return std::filesystem::path(options.dems.front()).stem().string() + "." +
+         (format == "gtiff" ? "tif" : format);
+}
+
+}  // namespace
+
+ViewFiles::ViewFiles(const ViewOptions& options) {
+  const std::string picture = options.output.empty() ? default_name(options) : options.output;
+  for (const std::string& path : {picture, options.progressive}) {
+    if (!path.empty())
+      check_image_file(path, options.size_px.value_or(ResolvedView{}.size_px),
+                       {options.format, options.creation, {}});
+  }
+  check_layers_name(options.layers);
+  image = claim(picture, options);
+  layers = claim(options.layers, options);
+  stats = claim(options.stats, options);
+  camera = claim(options.camera, options);
+  progressive = claim(options.progressive, options);
+}
+
+void ViewFiles::commit() {
+  for (const auto* file : {&image, &layers, &stats, &camera}) {
+    if (*file) (*file)->commit();
+  }
+}
+
+std::unique_ptr<OutputFile> ViewFiles::claim(const std::string& path, const ViewOptions& options) {
+  if (path.empty()) return nullptr;
+  if (!claimed_.insert(std::filesystem::absolute(path).lexically_normal()).second)
+    throw InputError("'" + path + "': named for two outputs: give each a name of its own");
+  for (const std::string& dem : options.dems) {
+    std::error_code not_both_exist;
+    if (std::filesystem::equivalent(path, dem, not_both_exist))
+      throw InputError("'" + path + "': is a DEM of this view: write to another file");
+  }
+  return std::make_unique<OutputFile>(path, options.overwrite);
+}
+
+}  // namespace terrview

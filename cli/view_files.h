@@ -1,0 +1,35 @@
+// The files that a view writes.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "cli/output_file.h"
+#include "cli/view_options.h"
+
+namespace terrview {
+
+// Claimed before the work begins; what was not asked for is null.
+class ViewFiles {
+ public:
+  // Throws InputError for a name that cannot be written, or is used twice or by a DEM.
+  explicit ViewFiles(const ViewOptions& options);
+
+  // Puts them under their names.
+  void commit();
+
+  std::unique_ptr<OutputFile> image;
+  std::unique_ptr<OutputFile> layers;
+  std::unique_ptr<OutputFile> stats;
+  std::unique_ptr<OutputFile> camera;
+  std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
+
+ private:
+  std::unique_ptr<OutputFile> claim(const std::string& path, const ViewOptions& options);
+
+  std::set<std::filesystem::path> claimed_;
+};
+
+}  // namespace terrview

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/view_setup.h"
+
+namespace terrview {
+
+// Says on standard error what was read, and where the eye and the sun are.
+void say_what_is_seen(const std::vector<Dem>& dems, const View& view);
+
+}  // namespace terrview

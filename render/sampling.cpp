@@ -1,0 +1,122 @@
+#include "render/sampling.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/parallel.h"
+#include "render/pixel_tracer.h"
+
+namespace terrview {
+namespace {
+
+class Stopwatch {
+ public:
+  // Seconds since the last call, or since the start.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+RenderCounts count_of(const std::vector<std::optional<Hit>>& hits, const TraceCounts& traced) {
+  RenderCounts counts;
+  counts.rays = static_cast<std::int64_t>(hits.size());
+  for (const auto& hit : hits) counts.hits += hit ? 1 : 0;
+  counts.tests = traced.tests;
+  counts.nodes = traced.nodes;
+  return counts;
+}
+
+}  // namespace
+
+glm::dvec2 sample_offset(int index) {
+  if (index == 0) return {0.5, 0.5};
+  // The bits of the index in reverse, and Sobol's second dimension, whose direction numbers are the
+  // rows of Pascal's triangle modulo 2.
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::uint32_t direction = 1U << 31;
+  for (int bit = 0; bit < 31; ++bit, direction ^= direction >> 1) {
+    if ((static_cast<std::uint32_t>(index) >> bit & 1U) == 0) continue;
+    x ^= 1U << (31 - bit);
+    y ^= direction;
+  }
+  // Turned by half a pixel, which keeps the strata, and centred in those of sixteen rays.
+  constexpr double kTurn = 0.5 + 1.0 / 32;
+  const glm::dvec2 at = glm::dvec2(x, y) * 0x1p-32 + kTurn;
+  return {at.x - std::floor(at.x), at.y - std::floor(at.y)};
+}
+
+Sampler::Sampler(const Scene& scene, const Camera& camera, const RenderOptions& options)
+    : scene_(scene), camera_(camera), options_(options) {}
+
+void Sampler::set_progress(double from, double to) {
+  progress_from_ = from;
+  progress_to_ = to;
+}
+
+void Sampler::report(double share) const {
+  if (options_.progress)
+    options_.progress(progress_from_ + (progress_to_ - progress_from_) * share);
+}
+
+void Sampler::trace_lattice(int index, int step, const Wanted& wanted, const Take& take) {
+  const glm::ivec2 size = camera_.options().size_px;
+  const PixelLattice lattice{sample_offset(index), step, (size + step - 1) / step};
+  const PixelTracer tracer(*scene_.terrain, camera_, options_.coherence, lattice);
+  const std::vector<Block> blocks = tracer.blocks();
+  std::vector<RenderCounts> block_counts(blocks.size());
+  std::atomic<int> done{0};
+  const int count = static_cast<int>(blocks.size());
+  parallel_for(count, options_.threads, [&](int i) {
+    const auto b = static_cast<std::size_t>(i);
+    block_counts[b] = trace_block(tracer, blocks[b], step, wanted, take);
+    report(static_cast<double>(++done) / count);
+  });
+  for (const RenderCounts& block : block_counts) total += block;
+}
+
+RenderCounts Sampler::trace_block(const PixelTracer& tracer, const Block& block, int step,
+                                  const Wanted& wanted, const Take& take) const {
+  Stopwatch stopwatch;
+  const std::vector<glm::ivec2> points =
+      tracer.points(block, [&](glm::ivec2 point) { return !wanted || wanted(step * point); });
+  TraceCounts traced;
+  const std::vector<Ray> rays = tracer.rays(points);
+  const std::vector<std::optional<Hit>> hits = tracer.trace(block, points, traced);
+  RenderCounts counts = count_of(hits, traced);
+  counts.trace_s = stopwatch.lap();
+  const std::vector<ShadedRay> shaded = shade(scene_, rays, hits, counts.shadow_rays);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    take(step * points[i], shaded[i], hits[i] ? &*hits[i] : nullptr);
+  counts.shade_s = stopwatch.lap();
+  return counts;
+}
+
+std::vector<Sample> Sampler::trace_points(std::span<const glm::dvec2> points_px,
+                                          RenderCounts& counts) const {
+  Stopwatch stopwatch;
+  std::vector<Ray> rays;
+  for (const glm::dvec2& point : points_px) rays.push_back(camera_.ray(point));
+  TraceCounts traced;
+  const std::vector<std::optional<Hit>> hits = trace_rays(*scene_.terrain, rays, traced);
+  RenderCounts mine = count_of(hits, traced);
+  mine.trace_s = stopwatch.lap();
+  std::vector<Sample> samples;
+  for (const ShadedRay& shaded : shade(scene_, rays, hits, mine.shadow_rays))
+    samples.push_back({shaded.color, shaded.distance_m});
+  mine.shade_s = stopwatch.lap();
+  counts += mine;
+  return samples;
+}
+
+}  // namespace terrview

@@ -1,0 +1,33 @@
+// The colours of what rays meet.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "render/scene.h"
+
+namespace terrview {
+
+// What one ray shows.
+struct ShadedRay {
+  glm::vec3 color{0, 0, 0};  // clear * transmission + air * (1 - transmission)
+  // From the ray's origin, in the view frame; infinite where nothing is hit.
+  float distance_m = std::numeric_limits<float>::infinity();
+  glm::vec3 clear{0, 0, 0};   // without the air; the background's where nothing is hit
+  glm::vec3 air{0, 0, 0};     // the air's colour there
+  float transmission = 1;     // 1 where nothing is hit
+  glm::vec3 normal{0, 0, 0};  // as Terrain's normals; 0 where nothing is hit
+};
+
+// The colours of the rays of a block, whose hits are given, all its shadow rays together. Adds the
+// shadow rays to `shadow_rays`.
+[[nodiscard]] std::vector<ShadedRay> shade(const Scene& scene, std::span<const Ray> rays,
+                                           std::span<const std::optional<Hit>> hits,
+                                           std::int64_t& shadow_rays);
+
+}  // namespace terrview
