@@ -31,10 +31,7 @@ FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
       std::size_t i = 0;
       for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column, ++i) {
-          const Ray ray = camera.ray({left + column + 0.5, band * kHigh_px + row + 0.5});
-          rays->direction_x[i] = ray.direction.x;
-          rays->direction_y[i] = ray.direction.y;
-          rays->direction_z[i] = ray.direction.z;
+          rays->aim(i, camera.ray({left + column + 0.5, band * kHigh_px + row + 0.5}).direction);
         }
       rays->count = i;
       trace(front, *rays, counts);

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "bench/contender.h"
+#include "bench/front_rays.h"
 #include "bench/scalar_rays.h"
 #include "render/parallel.h"
+#include "render/view_front.h"
 #include "terrain/column_tracer.h"
 #include "terrain/height_pyramid.h"
 
@@ -77,12 +79,17 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
   contender.place = [&dem, method, scalar_place = contender.place](const BenchView& view) {
     ViewTracer tracer = scalar_place(view);
     const auto columns = column_view(view.camera);
-    if (!columns) return tracer;
     const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
-    if (has_columns(*terrain))
+    if (EyeFront::serves(*terrain)) {
+      tracer.primary = [terrain, &view](int threads, TracedFrame& frame) {
+        const auto front = view_front(*terrain, view.camera);
+        return trace_front(*front, view.camera, threads, frame);
+      };
+    } else if (columns && has_columns(*terrain)) {
       tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
         return trace_strips(*terrain, columns, threads, frame);
       };
+    }
     return tracer;
   };
   return contender;

@@ -1,6 +1,9 @@
 #include "render/pixel_tracer.h"
 
 #include <algorithm>
+#include <memory>
+
+#include "terrain/eye_tracer.h"
 
 namespace terrview {
 namespace {
@@ -10,8 +13,8 @@ constexpr int kStripColumns = 16;
 }  // namespace
 
 PixelTracer::PixelTracer(const Terrain& terrain, const Camera& camera, bool coherence,
-                         const PixelLattice& lattice)
-    : terrain_(terrain), camera_(camera), lattice_(lattice) {
+                         const EyeFront* front, const PixelLattice& lattice)
+    : terrain_(terrain), camera_(camera), front_(front), lattice_(lattice) {
   if (coherence && has_columns(terrain)) columns_ = column_view(camera, lattice);
 }
 
@@ -50,7 +53,7 @@ std::vector<std::optional<Hit>> PixelTracer::trace(const Block& block,
                                                    TraceCounts& counts) const {
   if (points.empty()) return {};
   if (columns_) return trace_strip(block, points, counts);
-  return trace_rays(terrain_, rays(points), counts);
+  return trace_rays(terrain_, front_, rays(points), counts);
 }
 
 std::vector<std::optional<Hit>> PixelTracer::trace_strip(const Block& block,
@@ -72,10 +75,21 @@ std::vector<std::optional<Hit>> PixelTracer::trace_strip(const Block& block,
   return hits;
 }
 
-std::vector<std::optional<Hit>> trace_rays(const Terrain& terrain, std::span<const Ray> rays,
-                                           TraceCounts& counts) {
+std::vector<std::optional<Hit>> trace_rays(const Terrain& terrain, const EyeFront* front,
+                                           std::span<const Ray> rays, TraceCounts& counts) {
   std::vector<std::optional<Hit>> hits;
   hits.reserve(rays.size());
+  if (front) {
+    const auto batch = std::make_unique<EyeRays>();
+    for (std::size_t first = 0; first < rays.size(); first += EyeRays::kMost) {
+      batch->count = std::min(EyeRays::kMost, rays.size() - first);
+      for (std::size_t i = 0; i < batch->count; ++i) batch->aim(i, rays[first + i].direction);
+      terrview::trace(*front, *batch, counts);
+      for (std::size_t i = 0; i < batch->count; ++i)
+        hits.push_back(batch->is_hit(i) ? std::optional(batch->hit(i)) : std::nullopt);
+    }
+    return hits;
+  }
   for (const Ray& ray : rays) hits.push_back(terrain.first_hit(ray, &counts));
   return hits;
 }

@@ -11,6 +11,7 @@
 
 #include "render/camera.h"
 #include "terrain/column_tracer.h"
+#include "terrain/eye_front.h"
 #include "terrain/terrain.h"
 
 namespace terrview {
@@ -25,16 +26,18 @@ struct Block {
   }
 };
 
-// The hits of any rays. Adds to `counts`.
+// The hits of any rays; with a `front` of the terrain they all come from the eye, and are found
+// sooner. Adds to `counts`.
 [[nodiscard]] std::vector<std::optional<Hit>> trace_rays(const Terrain& terrain,
+                                                         const EyeFront* front,
                                                          std::span<const Ray> rays,
                                                          TraceCounts& counts);
 
 // References must outlive it. Immutable, so threads may share one.
 class PixelTracer {
  public:
-  // Without `coherence` every ray is traced on its own: the same hits, later.
-  PixelTracer(const Terrain& terrain, const Camera& camera, bool coherence,
+  // Without `coherence` and without `front` every ray is traced on its own: the same hits, later.
+  PixelTracer(const Terrain& terrain, const Camera& camera, bool coherence, const EyeFront* front,
               const PixelLattice& lattice);
 
   // Blocks that cover the lattice: strips of columns where columns are coherent, else rows.
@@ -59,6 +62,7 @@ class PixelTracer {
 
   const Terrain& terrain_;
   const Camera& camera_;
+  const EyeFront* front_;
   PixelLattice lattice_;
   std::optional<ColumnView> columns_;
 };

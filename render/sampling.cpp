@@ -9,6 +9,7 @@
 
 #include "render/parallel.h"
 #include "render/pixel_tracer.h"
+#include "render/view_front.h"
 
 namespace terrview {
 namespace {
@@ -57,7 +58,9 @@ glm::dvec2 sample_offset(int index) {
 }
 
 Sampler::Sampler(const Scene& scene, const Camera& camera, const RenderOptions& options)
-    : scene_(scene), camera_(camera), options_(options) {}
+    : scene_(scene), camera_(camera), options_(options) {
+  if (options.coherence) front_ = view_front(*scene.terrain, camera);
+}
 
 void Sampler::set_progress(double from, double to) {
   progress_from_ = from;
@@ -72,7 +75,7 @@ void Sampler::report(double share) const {
 void Sampler::trace_lattice(int index, int step, const Wanted& wanted, const Take& take) {
   const glm::ivec2 size = camera_.options().size_px;
   const PixelLattice lattice{sample_offset(index), step, (size + step - 1) / step};
-  const PixelTracer tracer(*scene_.terrain, camera_, options_.coherence, lattice);
+  const PixelTracer tracer(*scene_.terrain, camera_, options_.coherence, front_.get(), lattice);
   const std::vector<Block> blocks = tracer.blocks();
   std::vector<RenderCounts> block_counts(blocks.size());
   std::atomic<int> done{0};
@@ -108,7 +111,7 @@ std::vector<Sample> Sampler::trace_points(std::span<const glm::dvec2> points_px,
   std::vector<Ray> rays;
   for (const glm::dvec2& point : points_px) rays.push_back(camera_.ray(point));
   TraceCounts traced;
-  const std::vector<std::optional<Hit>> hits = trace_rays(*scene_.terrain, rays, traced);
+  const std::vector<std::optional<Hit>> hits = trace_rays(*scene_.terrain, front_.get(), rays, traced);
   RenderCounts mine = count_of(hits, traced);
   mine.trace_s = stopwatch.lap();
   std::vector<Sample> samples;

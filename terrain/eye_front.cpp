@@ -282,14 +282,13 @@ bool EyeFront::serves(const Terrain& terrain) {
   const double gamma =
       terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
   constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
-  return layer.map->linear() && gamma * gamma < kSeriesLimit &&
+  return layer.ceilings && layer.map->linear() && gamma * gamma < kSeriesLimit &&
          static_cast<double>(layer.grid->columns) * layer.grid->rows < kMostPosts;
 }
 
-EyeFront::EyeFront(const Terrain& terrain, const HeightCeilings& ceilings,
-                   const EyeFrontOptions& options)
+EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
     : terrain_(terrain),
-      ceilings_(ceilings),
+      ceilings_(*terrain.layers()[0].ceilings),
       wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
       highest_slope_(static_cast<float>(options.highest_slope)),
       first_bin_(bin_of(options.lowest_slope)),

@@ -37,12 +37,12 @@ class EyeFront {
   static constexpr int kStride = 8;        // rings a step of the coarse search
   static constexpr int kStartBins = 4096;  // of slopes, by slope / (1 + |slope|) from -1 to 1
 
-  // Whether a front can be made: one layer under an affine map, the hyperboloid surface, and a
-  // reach under 640 km.
+  // Whether a front can be made: one layer under an affine map, with ceilings, the hyperboloid
+  // surface, and a reach under 640 km.
   [[nodiscard]] static bool serves(const Terrain& terrain);
 
-  // Holds references to `terrain` and `ceilings`.
-  EyeFront(const Terrain& terrain, const HeightCeilings& ceilings, const EyeFrontOptions& options);
+  // `terrain` must outlive it.
+  EyeFront(const Terrain& terrain, const EyeFrontOptions& options);
 
   // Makes the bounds of the wedges of `group`, if nobody has. Any thread may call.
   void make(int group) const;

@@ -30,6 +30,11 @@ struct EyeRays {
   // whose slope is infinite, the distance down); the grid coordinates, and the cell.
   alignas(64) Values ground_m, u, v, column, row;
 
+  void aim(std::size_t i, const glm::dvec3& direction) {
+    direction_x[i] = direction.x;
+    direction_y[i] = direction.y;
+    direction_z[i] = direction.z;
+  }
   [[nodiscard]] bool is_hit(std::size_t i) const { return ground_m[i] >= 0; }
   // The Hit that Terrain::first_hit() gives. Only where is_hit().
   [[nodiscard]] Hit hit(std::size_t i) const;

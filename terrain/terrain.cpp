@@ -41,14 +41,16 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
       reach_m_(0),
       ceiling_m_(-std::numeric_limits<double>::infinity()),
       has_holes_(false) {
-  for (const TerrainLayer& layer : layers_) {
+  for (TerrainLayer& layer : layers_) {
     const HeightRange range = height_range(*layer.grid);
     check(*layer.grid, range);
     reach_m_ = std::max(reach_m_, layer.map->reach_m());
     ceiling_m_ = std::max(ceiling_m_,
                           frame_.ceiling_m(frame_.z_scale * range.highest_m, layer.map->reach_m()));
     has_holes_ |= range.has_holes;
-    if (search == Search::pyramid) pyramids_.emplace_back(*layer.grid);
+    if (search == Search::plain) continue;
+    pyramids_.emplace_back(*layer.grid);
+    if (!layer.ceilings) layer.ceilings = std::make_shared<const HeightCeilings>(*layer.grid);
   }
 }
 

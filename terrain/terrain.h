@@ -32,6 +32,7 @@
 #include <glm/vec3.hpp>
 
 #include "terrain/ground_map.h"
+#include "terrain/height_ceilings.h"
 #include "terrain/height_grid.h"
 #include "terrain/height_pyramid.h"
 #include "terrain/ray.h"
@@ -44,6 +45,8 @@ namespace terrview {
 struct TerrainLayer {
   std::shared_ptr<const HeightGrid> grid;
   std::shared_ptr<const GroundMap> map;
+  // Those of the grid, where views share them; made by the Terrain that needs them otherwise.
+  std::shared_ptr<const HeightCeilings> ceilings{};
 };
 
 // How rays find their hits. All give the same hits, bit for bit.

@@ -1,0 +1,40 @@
+#include "render/view_front.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace terrview {
+namespace {
+
+// Wedges a pixel wide would cost more than they spare.
+constexpr double kWedge_px = 6;
+
+// The slopes at points of the image all over: for most rays, which is all that counts.
+EyeFrontOptions options_of(const Camera& camera) {
+  constexpr int kSteps = 32;
+  const CameraOptions& options = camera.options();
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; j <= kSteps; ++j) {
+      const glm::dvec2 share = glm::dvec2(i, j) / static_cast<double>(kSteps);
+      const glm::dvec3 direction = camera.ray(share * glm::dvec2(options.size_px)).direction;
+      const double slope = direction.z / glm::length(glm::dvec2(direction));
+      lowest = std::min(lowest, slope);
+      highest = std::max(highest, slope);
+    }
+  return {.wedge_rad = kWedge_px * options.fov_rad / options.size_px.x,
+          .lowest_slope = lowest,
+          .highest_slope = highest};
+}
+
+}  // namespace
+
+std::unique_ptr<const EyeFront> view_front(const Terrain& terrain, const Camera& camera) {
+  if (camera.options().projection == Projection::orthographic || !EyeFront::serves(terrain))
+    return nullptr;
+  return std::make_unique<const EyeFront>(terrain, options_of(camera));
+}
+
+}  // namespace terrview
