@@ -66,7 +66,7 @@ class PieceLimit {
   [[nodiscard]] double end_m() const {
     const double by_cells = from_m_ + std::sqrt(8 / per_m2_);
     if (!from_eye_ || metres_per_m2_ == 0) return by_cells;
-    const double step = std::sqrt(2 * GroundMap::kTrackError_rad / metres_per_m2_);
+    const double step = std::sqrt(2 * 0.9 * GroundMap::kTrackError_rad / metres_per_m2_);
     const double root = std::sqrt(from_m_) + step;
     return std::min(by_cells, root * root);
   }
@@ -87,7 +87,9 @@ CurvedGroundMap::CurvedGroundMap(const ExactGroundMap& exact, glm::ivec2 grid_si
       reach_m_(reach_m),
       patches_(exact, grid_size, {disc.centre_m, disc.radius_m}, disc.radius_m),
       centre_uv_(patches_.leaf_at(disc.centre_m).patch.at(disc.centre_m)),
-      piece_error_cells_(kTrackError_cells - 4 * patches_.error_cells()) {}
+      piece_error_cells_(0.9 * kTrackError_cells - 4 * patches_.error_cells()) {
+  if (glm::length(disc.centre_m) < disc.radius_m) tracks_ = EyeTracks::make(*this);
+}
 
 glm::dvec2 CurvedGroundMap::to_grid(glm::dvec2 ground_m) const {
   const glm::dvec2 from_centre = ground_m - disc_.centre_m;

@@ -5,7 +5,10 @@
 // PROJ nor GeographicLib is called by its functions.
 #pragma once
 
+#include <optional>
+
 #include "ingest/patch_tree.h"
+#include "terrain/eye_tracks.h"
 #include "terrain/ground_map.h"
 
 namespace terrview {
@@ -28,6 +31,10 @@ class CurvedGroundMap final : public GroundMap {
                                    double limit_m) const override;
   [[nodiscard]] double reach_m() const override { return reach_m_; }
 
+  [[nodiscard]] const EyeTracks* eye_tracks() const override {
+    return tracks_ ? &*tracks_ : nullptr;
+  }
+
   [[nodiscard]] const PatchTree& patches() const { return patches_; }
 
  private:
@@ -40,7 +47,8 @@ class CurvedGroundMap final : public GroundMap {
   double reach_m_;
   PatchTree patches_;
   glm::dvec2 centre_uv_;
-  double piece_error_cells_;  // what the patches leave of kTrackError_cells
+  double piece_error_cells_;  // what the patches and the table leave of kTrackError_cells
+  std::optional<EyeTracks> tracks_;  // where the eye is in the disc
 };
 
 }  // namespace terrview

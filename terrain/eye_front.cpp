@@ -15,32 +15,40 @@
 #include <glm/mat2x2.hpp>
 
 #include "terrain/eye_front.h"
+#include "terrain/eye_tracks.h"
+#include "terrain/square_sectors.h"
+#include "terrain/track_piece.h"
 #include "terrain/vector_ground-inl.h"
 
 #ifndef TERRVIEW_TERRAIN_EYE_FRONT_ONCE
 #define TERRVIEW_TERRAIN_EYE_FRONT_ONCE
 namespace terrview {
 
-// Sectors reach this far beyond what their corners say: above rounding, and above the bulge of a
-// ring between the edges of a wedge.
-constexpr double kSectorMargin_cells = 0.02;
 
 // Larger than the rounding of a clearance, as a share of the numbers it comes from.
 constexpr double kBoundRounding = 1e-11;
 
-// The edges of a group of wedges.
+// The edges of a group of wedges: lines from the eye, two to each.
 struct WedgeEdges {
   using Values = std::array<double, EyeFront::kGroup>;
-  // Unit directions of the two edges, view frame.
+  // One piece of the tracks of the first edges, or of the second.
+  struct alignas(64) Piece {
+    alignas(64) Values start_u, start_v, rate_u, rate_v;
+  };
+  // Unit directions, view frame.
   alignas(64) Values x_a, y_a, x_b, y_b;
-  // Posts per metre along them: the lesser and the greater of the two.
-  alignas(64) Values low_u, low_v, high_u, high_v;
+  std::vector<double> begins_m;
+  std::vector<Piece> pieces_a;
+  std::vector<Piece> pieces_b;
 };
 
 // One ring of sectors, and the blocks that cover them.
 struct SectorRing {
   double near_m;
   double far_m;
+  // The pieces of the tracks that these lie on.
+  std::size_t near_piece;
+  std::size_t far_piece;
   int level;
   const HeightCeilings::Level* blocks;  // null at level 0: cells are looked up themselves
 };
@@ -54,12 +62,12 @@ namespace HWY_NAMESPACE {
 
 class SectorBounds {
  public:
-  SectorBounds(const Terrain& terrain, const WedgeEdges& edges)
+  SectorBounds(const Terrain& terrain, const WedgeEdges& edges, double margin_cells)
       : frame_(terrain.frame()),
         posts_(*terrain.layers()[0].grid),
         flat_(terrain.frame().north_curvature_per_m == 0 &&
               terrain.frame().east_curvature_per_m == 0),
-        eye_uv_(terrain.layers()[0].map->to_grid({0, 0})),
+        margin_cells_(margin_cells),
         last_cell_(terrain.layers()[0].grid->columns - 2, terrain.layers()[0].grid->rows - 2),
         eye_height_m_(terrain.frame().eye_height_m),
         z_scale_(terrain.frame().z_scale),
@@ -68,7 +76,8 @@ class SectorBounds {
   // The bounds of the sectors of lanes `first`, ... of the group.
   HWY_INLINE V at(const SectorRing& ring, std::size_t first) const {
     M outside;
-    const V height = highest(ring, first, outside);
+    M wide;
+    const V height = highest(ring, first, outside, wide);
     const V z = ceiling(ring, first, height);
     const V slack =
         of(kBoundRounding) * (hn::Abs(of(z_scale_) * height) + of(std::abs(eye_height_m_)) +
@@ -79,7 +88,8 @@ class SectorBounds {
     // Above the rounding to a float.
     const V rounded_up = bound + hn::Abs(bound) * of(0x1p-22) + of(1e-30);
     const M empty = hn::Or(outside, height == of(-std::numeric_limits<double>::infinity()));
-    return hn::IfThenElse(empty, of(-std::numeric_limits<double>::infinity()), rounded_up);
+    const V known = hn::IfThenElse(wide, hn::Inf(D()), rounded_up);
+    return hn::IfThenElse(empty, of(-std::numeric_limits<double>::infinity()), known);
   }
 
  private:
@@ -88,29 +98,50 @@ class SectorBounds {
     V first, last;
   };
 
-  HWY_INLINE Blocks blocks(const SectorRing& ring, V low_rate, V high_rate, double eye,
-                           double last_cell, M& outside) const {
-    const V low = of(eye - kSectorMargin_cells) +
-                  hn::Min(low_rate * of(ring.near_m), low_rate * of(ring.far_m));
-    const V high = of(eye + kSectorMargin_cells) +
-                   hn::Max(high_rate * of(ring.near_m), high_rate * of(ring.far_m));
+  // Those between the least and the greatest coordinate of a sector's corners.
+  HWY_INLINE Blocks blocks(int level, const std::array<V, 4>& corners, double last_cell, M& outside,
+                           M& wide) const {
+    const V low = hn::Min(hn::Min(corners[0], corners[1]), hn::Min(corners[2], corners[3])) -
+                  of(margin_cells_);
+    const V high = hn::Max(hn::Max(corners[0], corners[1]), hn::Max(corners[2], corners[3])) +
+                   of(margin_cells_);
     outside = hn::Or(high < of(0), low > of(last_cell + 1));
-    const V per_block = of(std::ldexp(1.0, -ring.level));
+    const V per_block = of(std::ldexp(1.0, -level));
     const auto block = [&](V at) HWY_ATTR {
       return hn::Floor(hn::Floor(hn::Min(hn::Max(at, of(0)), of(last_cell))) * per_block);
     };
-    return {block(low), block(high)};
+    const Blocks found{block(low), block(high)};
+    wide = found.last > found.first + of(1);
+    return found;
   }
 
-  HWY_INLINE V highest(const SectorRing& ring, std::size_t first, M& outside) const {
+  // Along one axis, where the edges cross the ends of a ring.
+  using PieceValues = WedgeEdges::Values WedgeEdges::Piece::*;
+  HWY_INLINE std::array<V, 4> corners(const SectorRing& ring, std::size_t first, PieceValues start,
+                                      PieceValues rate) const {
+    const auto at = [&](const std::vector<WedgeEdges::Piece>& pieces, std::size_t piece,
+                        double distance_m) HWY_ATTR {
+      return hn::Load(D(), (pieces[piece].*start).data() + first) +
+             hn::Load(D(), (pieces[piece].*rate).data() + first) *
+                 of(distance_m - edges_.begins_m[piece]);
+    };
+    return {at(edges_.pieces_a, ring.near_piece, ring.near_m),
+            at(edges_.pieces_a, ring.far_piece, ring.far_m),
+            at(edges_.pieces_b, ring.near_piece, ring.near_m),
+            at(edges_.pieces_b, ring.far_piece, ring.far_m)};
+  }
+
+  HWY_INLINE V highest(const SectorRing& ring, std::size_t first, M& outside, M& wide) const {
+    using Piece = WedgeEdges::Piece;
     M outside_u;
     M outside_v;
-    const Blocks u = blocks(ring, hn::Load(D(), edges_.low_u.data() + first),
-                            hn::Load(D(), edges_.high_u.data() + first), eye_uv_.x, last_cell_.x,
-                            outside_u);
-    const Blocks v = blocks(ring, hn::Load(D(), edges_.low_v.data() + first),
-                            hn::Load(D(), edges_.high_v.data() + first), eye_uv_.y, last_cell_.y,
-                            outside_v);
+    M wide_u;
+    M wide_v;
+    const Blocks u = blocks(ring.level, corners(ring, first, &Piece::start_u, &Piece::rate_u),
+                            last_cell_.x, outside_u, wide_u);
+    const Blocks v = blocks(ring.level, corners(ring, first, &Piece::start_v, &Piece::rate_v),
+                            last_cell_.y, outside_v, wide_v);
+    wide = hn::Or(wide_u, wide_v);
     outside = hn::Or(outside_u, outside_v);
     if (ring.level == 0) return highest_of_cells(u, v);
     const V columns = of(ring.blocks->columns);
@@ -153,7 +184,7 @@ class SectorBounds {
   VectorFrame frame_;
   VectorPosts posts_;
   bool flat_;
-  glm::dvec2 eye_uv_;
+  double margin_cells_;
   glm::dvec2 last_cell_;
   double eye_height_m_;
   double z_scale_;
@@ -163,8 +194,9 @@ class SectorBounds {
 // bounds[kGroup * i + j]: those of ring i and wedge j, of the rings before all wedges have met a
 // bound above `highest_slope`. Returns how many rings these are.
 std::size_t make_bounds(const Terrain& terrain, const WedgeEdges& edges,
-                        std::span<const SectorRing> rings, double highest_slope, float* bounds) {
-  const SectorBounds sectors(terrain, edges);
+                        std::span<const SectorRing> rings, double margin_cells,
+                        double highest_slope, float* bounds) {
+  const SectorBounds sectors(terrain, edges, margin_cells);
   const hn::Rebind<float, D> floats;
   const std::size_t lanes = hn::Lanes(D());
   std::array<V, EyeFront::kGroup> highest;  // of which kGroup / lanes are used
@@ -194,52 +226,66 @@ HWY_EXPORT(make_bounds);
 
 namespace {
 
+// Sectors reach this far beyond what their corners say: above rounding, and above the bulge of a
+// ring between the edges of a wedge. Where tracks bend, also above what they stray from the lines
+// between the corners.
+constexpr double kStraightMargin_cells = 0.02;
+constexpr double kBentMargin_cells = 4 * GroundMap::kTrackError_cells;
+
 // Wider than the rounding with which a ray finds its wedge.
 constexpr double kEdgeMargin = 1e-12;
 
-glm::dvec2 square_direction(int side, double c) {
-  switch (side) {
-    case 0:
-      return {c, 1};
-    case 1:
-      return {1, c};
-    case 2:
-      return {c, -1};
-    default:
-      return {-1, c};
-  }
+// The tracks of one edge, as piece `index` of each wedge's.
+void set_piece(WedgeEdges::Piece& piece, std::size_t wedge, const TrackPiece& track) {
+  piece.start_u[wedge] = track.start.x;
+  piece.start_v[wedge] = track.start.y;
+  piece.rate_u[wedge] = track.rate.x;
+  piece.rate_v[wedge] = track.rate.y;
 }
 
-WedgeEdges edges_of(int group, int wedges_a_side, const glm::dmat2& jacobian) {
+WedgeEdges edges_of(int group, int wedges_a_side, const GroundMap& map) {
   WedgeEdges edges;
+  const EyeTracks* tracks = map.eye_tracks();
+  edges.begins_m = tracks ? tracks->knots_m() : std::vector<double>{0, map.reach_m()};
+  edges.begins_m.pop_back();
+  edges.pieces_a.resize(edges.begins_m.size());
+  edges.pieces_b.resize(edges.begins_m.size());
   for (int i = 0; i < EyeFront::kGroup; ++i) {
     const int wedge = group * EyeFront::kGroup + i;
     const int side = wedge / wedges_a_side;
     const double first = wedge % wedges_a_side;
-    const auto edge = [&](double place) {
-      return glm::normalize(square_direction(side, -1 + 2 * place / wedges_a_side));
-    };
-    const glm::dvec2 a = edge(first - kEdgeMargin * wedges_a_side);
-    const glm::dvec2 b = edge(first + 1 + kEdgeMargin * wedges_a_side);
-    const glm::dvec2 rate_a = jacobian * a;
-    const glm::dvec2 rate_b = jacobian * b;
+    const glm::dvec2 a = sector_edge(side, first - kEdgeMargin * wedges_a_side, wedges_a_side);
+    const glm::dvec2 b = sector_edge(side, first + 1 + kEdgeMargin * wedges_a_side, wedges_a_side);
     const auto j = static_cast<std::size_t>(i);
     edges.x_a[j] = a.x;
     edges.y_a[j] = a.y;
     edges.x_b[j] = b.x;
     edges.y_b[j] = b.y;
-    edges.low_u[j] = std::min(rate_a.x, rate_b.x);
-    edges.low_v[j] = std::min(rate_a.y, rate_b.y);
-    edges.high_u[j] = std::max(rate_a.x, rate_b.x);
-    edges.high_v[j] = std::max(rate_a.y, rate_b.y);
+    for (std::size_t k = 0; k < edges.begins_m.size(); ++k) {
+      const auto track = [&](glm::dvec2 direction) {
+        return track_piece(map, {{0, 0}, direction}, edges.begins_m[k], map.to_grid({0, 0}),
+                           map.reach_m());
+      };
+      set_piece(edges.pieces_a[k], j, track(a));
+      set_piece(edges.pieces_b[k], j, track(b));
+    }
   }
   return edges;
 }
 
 // The most posts along u or v that a metre of ground is worth.
-double posts_per_metre(const glm::dmat2& jacobian) {
-  return std::max(glm::length(glm::dvec2(jacobian[0].x, jacobian[1].x)),
-                  glm::length(glm::dvec2(jacobian[0].y, jacobian[1].y)));
+double posts_per_metre(const GroundMap& map) {
+  if (const glm::dmat2* jacobian = map.linear())
+    return std::max(glm::length(glm::dvec2((*jacobian)[0].x, (*jacobian)[1].x)),
+                    glm::length(glm::dvec2((*jacobian)[0].y, (*jacobian)[1].y)));
+  // What the table's pieces say, and something for what lies between them. Sectors that come out
+  // too wide all the same have no bound.
+  const std::vector<double>& all = map.eye_tracks()->coefficients();
+  double most = 0;
+  for (std::size_t i = 0; i < all.size(); i += EyeTracks::kCoefficients)
+    for (const std::size_t rate : {i + 4, i + 6})
+      most = std::max(most, std::hypot(all[rate], all[rate + 1]));
+  return 1.01 * most;
 }
 
 // A whole number of groups a side, and an even one of wedges, so that none crosses an axis.
@@ -282,7 +328,7 @@ bool EyeFront::serves(const Terrain& terrain) {
   const double gamma =
       terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
   constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
-  return layer.ceilings && layer.map->linear() && gamma * gamma < kSeriesLimit &&
+  return layer.ceilings && (layer.map->linear() || layer.map->eye_tracks()) && gamma * gamma < kSeriesLimit &&
          static_cast<double>(layer.grid->columns) * layer.grid->rows < kMostPosts;
 }
 
@@ -290,6 +336,8 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
     : terrain_(terrain),
       ceilings_(*terrain.layers()[0].ceilings),
       wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
+      margin_cells_(terrain.layers()[0].map->linear() ? kStraightMargin_cells
+                                                      : kBentMargin_cells),
       highest_slope_(static_cast<float>(options.highest_slope)),
       first_bin_(bin_of(options.lowest_slope)),
       last_bin_(bin_of(options.highest_slope)) {
@@ -307,18 +355,17 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
 }
 
 void EyeFront::lay_rings(double wedge_rad) {
-  // Of the 2^level cells that a sector's box may take up, what the margins leave.
-  constexpr double kFill = 0.94;
   // A sector may be this much wider than deep before the next level serves it better.
   constexpr double kWidest = 0.6;
-  const double per_metre = posts_per_metre(*terrain_.layers()[0].map->linear());
+  const double per_metre = posts_per_metre(*terrain_.layers()[0].map);
   const double reach_m = terrain_.reach_m();
-  margin_m_ = kSectorMargin_cells / per_metre / 2;
+  margin_m_ = margin_cells_ / per_metre / 2;
   ring_m_.push_back(0);
   int level = 0;
   while (ring_m_.back() < reach_m) {
     const double near_m = ring_m_.back();
-    const double box_m = kFill * std::ldexp(1.0, level) / per_metre;
+    // Of 2^level cells, what the margins leave.
+    const double box_m = (std::ldexp(1.0, level) - 2.5 * margin_cells_) / per_metre;
     const double arc_m = (near_m + box_m) * wedge_rad;
     if (arc_m > kWidest * box_m && level < ceilings_.last_level()) {
       ++level;
@@ -354,16 +401,19 @@ int EyeFront::ring_of(double distance_m) const {
 
 void EyeFront::make(int group) const {
   std::call_once(made_[static_cast<std::size_t>(group)], [&] {
-    const WedgeEdges edges =
-        edges_of(group, wedges_a_side_, *terrain_.layers()[0].map->linear());
+    const GroundMap& map = *terrain_.layers()[0].map;
+    const WedgeEdges edges = edges_of(group, wedges_a_side_, map);
+    const auto piece_at = [tracks = map.eye_tracks()](double at_m) {
+      return tracks ? static_cast<std::size_t>(tracks->piece_at(at_m)) : 0;
+    };
     std::vector<SectorRing> rings;
     for (std::size_t i = 0; i < levels_.size(); ++i)
-      rings.push_back({ring_m_[i], ring_m_[i + 1], levels_[i],
-                       levels_[i] == 0 ? nullptr : &ceilings_.level(levels_[i])});
+      rings.push_back({ring_m_[i], ring_m_[i + 1], piece_at(ring_m_[i]), piece_at(ring_m_[i + 1]),
+                       levels_[i], levels_[i] == 0 ? nullptr : &ceilings_.level(levels_[i])});
     const std::size_t stride = (rings.size() + 1) * kGroup;
     float* bounds = bounds_.get() + static_cast<std::size_t>(group) * stride;
-    const std::size_t made = HWY_DYNAMIC_DISPATCH(make_bounds)(terrain_, edges, rings,
-                                                               highest_slope_, bounds);
+    const std::size_t made = HWY_DYNAMIC_DISPATCH(make_bounds)(
+        terrain_, edges, rings, margin_cells_, highest_slope_, bounds);
     // A ray that comes so far, seldom, looks at every cell from there on.
     std::fill_n(bounds + made * kGroup, (rings.size() + 1 - made) * kGroup,
                 std::numeric_limits<float>::infinity());

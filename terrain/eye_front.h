@@ -37,7 +37,8 @@ class EyeFront {
   static constexpr int kStride = 8;        // rings a step of the coarse search
   static constexpr int kStartBins = 4096;  // of slopes, by slope / (1 + |slope|) from -1 to 1
 
-  // Whether a front can be made: one layer under an affine map, with ceilings, the hyperboloid
+  // Whether a front can be made: one layer under an affine map or one with EyeTracks, with
+  // ceilings, the hyperboloid
   // surface, and a reach under 640 km.
   [[nodiscard]] static bool serves(const Terrain& terrain);
 
@@ -49,14 +50,14 @@ class EyeFront {
 
   [[nodiscard]] const Terrain& terrain() const { return terrain_; }
 
-  // Wedges lie on the sides of a square about the eye: wedge k of side 0 (north) looks along (c, 1)
-  // with c from -1 + 2 k / n to -1 + 2 (k + 1) / n, of n wedges a side; those of sides 1, 2 and 3
-  // along (1, c), (c, -1) and (-1, c). Wedge k of side i has the number i n + k.
+  // Wedges are the sectors of terrain/square_sectors.h.
   [[nodiscard]] int wedges_a_side() const { return wedges_a_side_; }
 
   // Ring i lies between ring_m()[i] and ring_m()[i + 1]; the first begins at the eye.
   [[nodiscard]] std::span<const double> ring_m() const { return ring_m_; }
   [[nodiscard]] int rings() const { return static_cast<int>(levels_.size()); }
+  // A few cells.
+  [[nodiscard]] double step_back_m() const { return 4 * step_m_; }
   // How much nearer a sector begins than its ring.
   [[nodiscard]] double margin_m() const { return margin_m_; }
 
@@ -88,6 +89,7 @@ class EyeFront {
   const Terrain& terrain_;
   const HeightCeilings& ceilings_;
   int wedges_a_side_;
+  double margin_cells_;
   double margin_m_ = 0;
   std::vector<double> ring_m_;
   std::vector<int> levels_;           // by ring: of the blocks that cover its sectors

@@ -13,6 +13,8 @@
 #include <glm/geometric.hpp>
 
 #include "terrain/eye_tracer.h"
+#include "terrain/eye_tracks.h"
+#include "terrain/grid_walk.h"
 #include "terrain/tracer.h"
 #include "terrain/vector_ground-inl.h"
 
@@ -27,6 +29,8 @@ struct alignas(64) RaySet {
   std::size_t count = 0;
   alignas(64) Values index;  // of the ray in EyeRays
   alignas(64) Values x, y, slope, rate_u, rate_v, metres_u, metres_v;
+  // Where tracks bend: the sector of the ray's direction in EyeTracks, and the piece.
+  alignas(64) Values sector, piece, begin, end, start_u, start_v;
   alignas(64) Values start;  // its place in EyeFront's starts
   // Where the walk stands.
   alignas(64) Values column, row, g, u, v, z;
@@ -36,6 +40,11 @@ struct alignas(64) RaySet {
   void move(std::size_t from, std::size_t to) {
     for (Values* values : {&index, &x, &y, &slope, &rate_u, &rate_v, &metres_u, &metres_v, &start,
                            &column, &row, &g, &u, &v, &z})
+      (*values)[to] = (*values)[from];
+  }
+
+  void move_piece(std::size_t from, std::size_t to) {
+    for (Values* values : {&sector, &piece, &begin, &end, &start_u, &start_v})
       (*values)[to] = (*values)[from];
   }
 };
@@ -63,19 +72,32 @@ HWY_INLINE void save(EyeRays::Values& values, std::size_t first, V value) {
   hn::Store(value, D(), values.data() + first);
 }
 
-// Ground lines, slopes and tracks, as ground_line(), ray_slope() and track_piece() find them; and
-// the places in the front's starts.
+// The sectors of unit directions, as sector_of() finds them. A vertical ray's NaN becomes sector 0.
+HWY_INLINE V sectors_of(V x, V y, int a_side) {
+  const V far_x = hn::Abs(x);
+  const V far_y = hn::Abs(y);
+  const M along_y = far_y >= far_x;
+  const V c = hn::IfThenElse(along_y, x, y) / hn::Max(far_x, far_y);
+  const V side = hn::IfThenElse(along_y, hn::IfThenElse(y > of(0), of(0), of(2 * a_side)),
+                                hn::IfThenElse(x > of(0), of(a_side), of(3 * a_side)));
+  const V place = hn::Floor((c + of(1)) * of(0.5 * a_side));
+  const V sector = side + hn::Min(place, of(a_side - 1));
+  return hn::IfThenElseZero(place >= of(0), sector);
+}
+
+HWY_INLINE void save_rate(EyeRays::Values& rates, EyeRays::Values& metres, std::size_t i, V rate) {
+  const V inverse = of(1) / rate;
+  const M finite = hn::Abs(inverse) < hn::Inf(D());
+  save(rates, i, hn::IfThenElseZero(finite, rate));
+  save(metres, i, hn::IfThenElseZero(finite, inverse));
+}
+
+// Ground lines and slopes, as ground_line() and ray_slope() find them; straight tracks, as
+// track_piece(); and the places in the front's starts.
 void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
-  const glm::dmat2 jacobian = *front.terrain().layers()[0].map->linear();
-  const int a_side = front.wedges_a_side();
-  const auto track = [&](int axis, V x, V y, EyeRays::Values& rates, EyeRays::Values& metres,
-                         std::size_t i) HWY_ATTR {
-    const V rate = of(jacobian[0][axis]) * x + of(jacobian[1][axis]) * y;
-    const V inverse = of(1) / rate;
-    const M finite = hn::Abs(inverse) < hn::Inf(D());
-    save(rates, i, hn::IfThenElseZero(finite, rate));
-    save(metres, i, hn::IfThenElseZero(finite, inverse));
-  };
+  const GroundMap& map = *front.terrain().layers()[0].map;
+  const glm::dmat2* jacobian = map.linear();
+  const EyeTracks* tracks = map.eye_tracks();
   set.count = rays.count;
   for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
     const V across_x = load(rays.direction_x, i);
@@ -91,29 +113,25 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
     save(set.x, i, x);
     save(set.y, i, y);
     save(set.slope, i, slope);
-    track(0, x, y, set.rate_u, set.metres_u, i);
-    track(1, x, y, set.rate_v, set.metres_v, i);
-
-    const V far_x = hn::Abs(across_x);
-    const V far_y = hn::Abs(across_y);
-    const M along_y = far_y >= far_x;
-    const V c = hn::IfThenElse(along_y, across_x, across_y) / hn::Max(far_x, far_y);
-    const V side =
-        hn::IfThenElse(along_y, hn::IfThenElse(across_y > of(0), of(0), of(2 * a_side)),
-                       hn::IfThenElse(across_x > of(0), of(a_side), of(3 * a_side)));
-    // A vertical ray's NaN becomes wedge 0, bin 0.
-    const V place = hn::Floor((c + of(1)) * of(0.5 * a_side));
-    const V wedge = side + hn::IfThenElseZero(place >= of(0), hn::Min(place, of(a_side - 1)));
+    if (jacobian) {
+      const glm::dmat2& j = *jacobian;
+      save_rate(set.rate_u, set.metres_u, i, of(j[0][0]) * x + of(j[1][0]) * y);
+      save_rate(set.rate_v, set.metres_v, i, of(j[0][1]) * x + of(j[1][1]) * y);
+    } else {
+      save(set.sector, i, sectors_of(x, y, tracks->sectors_a_side()));
+    }
     const V bin = hn::Floor((slope / (of(1) + hn::Abs(slope)) + of(1)) *
                             of(EyeFront::kStartBins / 2));
     const V first_bin = of(front.first_bin());
-    const M known = bin >= first_bin;
-    save(set.start, i,
-         wedge * of(EyeFront::kStartBins) +
-             hn::IfThenElse(known, hn::Min(bin, of(front.last_bin())), first_bin));
+    const V known_bin =
+        hn::IfThenElse(bin >= first_bin, hn::Min(bin, of(front.last_bin())), first_bin);
+    const V wedge = sectors_of(x, y, front.wedges_a_side());
+    save(set.start, i, wedge * of(EyeFront::kStartBins) + known_bin);
   }
 }
 
+// Where the tracks of a terrain bend, kBent.
+template <bool kBent>
 class EyeLoop {
  public:
   EyeLoop(const EyeFront& front, EyeRays& rays, RaySet& set, RescueList& rescues)
@@ -122,7 +140,8 @@ class EyeLoop {
         rays_(rays),
         set_(set),
         rescues_(rescues),
-        rings_(front.rings()) {
+        rings_(front.rings()),
+        tracks_(front.terrain().layers()[0].map->eye_tracks()) {
     const Terrain& terrain = front.terrain();
     const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
     eye_u_ = eye_uv.x;
@@ -180,11 +199,53 @@ class EyeLoop {
     r.rate_v = load(set_.rate_v, first);
     r.metres_u = load(set_.metres_u, first);
     r.metres_v = load(set_.metres_v, first);
-    r.begin = of(0);
-    r.end = of(front_.terrain().reach_m());
-    r.start_u = of(eye_u_);
-    r.start_v = of(eye_v_);
+    if constexpr (kBent) {
+      r.begin = load(set_.begin, first);
+      r.end = load(set_.end, first);
+      r.start_u = load(set_.start_u, first);
+      r.start_v = load(set_.start_v, first);
+    } else {
+      r.begin = of(0);
+      r.end = of(front_.terrain().reach_m());
+      r.start_u = of(eye_u_);
+      r.start_v = of(eye_v_);
+    }
     return r;
+  }
+
+  // Loads the pieces of the tracks that distances lie on, of the wanted lanes.
+  HWY_INLINE void load_pieces(std::size_t first, V from_m, M wanted) {
+    const std::vector<double>& knots_m = tracks_->knots_m();
+    V piece = of(0);
+    for (std::size_t i = 1; i + 1 < knots_m.size(); ++i)
+      piece = piece + hn::IfThenElseZero(from_m >= of(knots_m[i]), of(1));
+    const V sector = load(set_.sector, first);
+    const hn::Rebind<std::int64_t, D> longs;
+    const auto at = hn::ConvertTo(
+        longs, (sector * of(tracks_->pieces()) + piece) * of(EyeTracks::kCoefficients));
+    const V x = load(set_.x, first);
+    const V y = load(set_.y, first);
+    const auto along = [&](int i) HWY_ATTR {
+      const double* c = tracks_->coefficients().data() + i;
+      return hn::GatherIndex(D(), c, at) * x + hn::GatherIndex(D(), c + 1, at) * y;
+    };
+    const auto put = [&](EyeRays::Values& values, V value) HWY_ATTR {
+      save(values, first, hn::IfThenElse(wanted, value, load(values, first)));
+    };
+    const auto knots = hn::ConvertTo(longs, piece);
+    put(set_.piece, piece);
+    put(set_.begin, hn::GatherIndex(D(), knots_m.data(), knots));
+    put(set_.end, hn::GatherIndex(D(), knots_m.data() + 1, knots));
+    put(set_.start_u, of(eye_u_) + along(0));
+    put(set_.start_v, of(eye_v_) + along(2));
+    const auto put_rate = [&](EyeRays::Values& rates, EyeRays::Values& metres, V rate) HWY_ATTR {
+      const V inverse = of(1) / rate;
+      const M finite = hn::Abs(inverse) < hn::Inf(D());
+      put(rates, hn::IfThenElseZero(finite, rate));
+      put(metres, hn::IfThenElseZero(finite, inverse));
+    };
+    put_rate(set_.rate_u, set_.metres_u, along(4));
+    put_rate(set_.rate_v, set_.metres_v, along(6));
   }
 
   HWY_INLINE void load_walk(Registers& r, std::size_t first) const {
@@ -207,12 +268,13 @@ class EyeLoop {
 
   // Puts rays into their cells at a distance. False: that is not over the grid.
   HWY_INLINE M seat(Registers& r, V start_m) const {
-    const V u = r.start_u + r.rate_u * start_m;
-    const V v = r.start_v + r.rate_v * start_m;
+    const V u = r.start_u + r.rate_u * (start_m - r.begin);
+    const V v = r.start_v + r.rate_v * (start_m - r.begin);
     const V last_column = grid_.columns() - of(2);
     const V last_row = grid_.rows() - of(2);
-    r.column = hn::Min(hn::Max(hn::Floor(u), of(0)), last_column);
-    r.row = hn::Min(hn::Max(hn::Floor(v), of(0)), last_row);
+    // Lanes without a ray may hold NaN.
+    r.column = hn::IfThenElseZero(u >= of(0), hn::Min(hn::Floor(u), last_column));
+    r.row = hn::IfThenElseZero(v >= of(0), hn::Min(hn::Floor(v), last_row));
     return hn::And(hn::And(u >= of(0), v >= of(0)),
                    hn::And(u <= last_column + of(1), v <= last_row + of(1)));
   }
@@ -226,6 +288,44 @@ class EyeLoop {
     r.v = hn::IfThenElse(at_eye, of(eye_v_), r.v);
     r.z = hn::IfThenElse(at_eye, of(eye_z_), r.z);
     return hn::Or(entered, at_eye);
+  }
+
+  // Puts the wanted lanes into the cells where they are at a distance, or a little before. Those
+  // returned are there as the single ray's walk is.
+  HWY_INLINE M settle(std::size_t first, V start_m, M wanted) {
+    if constexpr (kBent) load_pieces(first, start_m, wanted);
+    Registers r = ray_lines(first);
+    const M seated = seat(r, start_m);
+    M settled = hn::And(seated, enter(r));
+    if constexpr (kBent) {
+      // A cell that was entered on the piece before is too late to begin with.
+      const M early =
+          hn::And(hn::And(wanted, seated), hn::And(hn::Not(settled), r.begin > of(0)));
+      if (bits_of(early) != 0) {
+        const V before_m = hn::Max(r.begin - of(front_.step_back_m()), of(0));
+        load_pieces(first, before_m, early);
+        Registers back = ray_lines(first);
+        const M back_seated = seat(back, before_m);
+        const M back_settled = hn::And(back_seated, enter(back));
+        settled = hn::Or(settled, hn::And(early, back_settled));
+        choose(r, early, back);
+      }
+    }
+    Registers old = r;
+    load_walk(old, first);
+    choose(old, wanted, r);
+    save_walk(old, first);
+    return settled;
+  }
+
+  // Takes the walk of `other` where `mask`.
+  HWY_INLINE void choose(Registers& r, M mask, const Registers& other) const {
+    r.column = hn::IfThenElse(mask, other.column, r.column);
+    r.row = hn::IfThenElse(mask, other.row, r.row);
+    r.g = hn::IfThenElse(mask, other.g, r.g);
+    r.u = hn::IfThenElse(mask, other.u, r.u);
+    r.v = hn::IfThenElse(mask, other.v, r.v);
+    r.z = hn::IfThenElse(mask, other.z, r.z);
   }
 
   HWY_INLINE void rescue(std::size_t first, std::uint32_t lanes) {
@@ -245,35 +345,33 @@ class EyeLoop {
     const M slanted = across_x * across_x + across_y * across_y > of(4e-24) * rise * rise;
     const V start_m = floats_at(front_.starts_m(), load(set_.start, first));
     const M meets = start_m < hn::Inf(D());
-    Registers r = ray_lines(first);
-    const M seated = seat(r, hn::IfThenElseZero(meets, start_m));
-    save(set_.column, first, r.column);
-    save(set_.row, first, r.row);
+    const M settled = settle(first, hn::IfThenElseZero(meets, start_m), meets);
     const std::uint32_t lanes = lanes_from(first);
     const std::uint32_t lost = (lanes & ~bits_of(slanted)) |
-                               (lanes & bits_of(hn::AndNot(seated, meets)));
+                               (lanes & bits_of(hn::AndNot(settled, meets)));
     rescue(first, lost);
     walking(first) = static_cast<std::uint8_t>(lanes & bits_of(meets) & ~lost);
   }
 
   // One crossing of rays first, first + 1, ... Without branches on what they meet: which lanes are
-  // settled can't be foreseen. The first step of rays in order also finds where they enter.
+  // settled can't be foreseen. In the first step the set's order is that of EyeRays.
   template <bool kFirst>
   HWY_INLINE void step(std::size_t first) {
     std::uint32_t active = walking(first);
     if (active == 0) return;
     Registers r = ray_lines(first);
     load_walk(r, first);
-    std::uint32_t lost = 0;
-    if constexpr (kFirst) lost = active & ~bits_of(enter(r));
     park(r, active);
     const NextCrossing next = grid_.next_crossing(r);
     const V in = r.slope * r.g - r.z;
     const V out = r.slope * next.g - next.z;
     const std::uint32_t ground = bits_of(next.has_ground) & active;
-    tests_ += __builtin_popcount(ground);
-    lost |= ((bits_of(in < of(0)) & ground) | bits_of(next.g > r.end)) & active;
-    const std::uint32_t hit = bits_of(hn::And(out <= of(0), next.g > r.g)) & ground & ~lost;
+    const std::uint32_t cut = bits_of(next.g > r.end) & active;
+    // Also those whose last piece ends: the grid does before, but for rounding.
+    const std::uint32_t ended = cut & bits_of(r.end >= of(front_.terrain().reach_m()));
+    std::uint32_t lost = (bits_of(in < of(0)) & ground & ~cut) | ended;
+    const std::uint32_t hit = bits_of(hn::And(out <= of(0), next.g > r.g)) & ground & ~(lost | cut);
+    tests_ += __builtin_popcount(ground & ~cut);
     const V share = hn::IfThenElseZero(in > of(0), in / (in - out));
     const Registers met = between(r, next, share);
     if constexpr (kFirst) {
@@ -281,11 +379,49 @@ class EyeLoop {
     } else {
       record(met, hit, first);
     }
+    const Registers here = r;
     advance(r, next);
-    active &= ~(hit | lost) & bits_of(grid_.is_inside(r));
+    if constexpr (kBent) choose(r, mask_of(cut), here);
+    const std::uint32_t outside = ~bits_of(grid_.is_inside(r)) & active & ~(hit | lost);
+    active &= ~(hit | lost | outside);
     save_walk(r, first);
+    if constexpr (kBent) {
+      lost |= outside & returning(first, outside);
+      for (std::uint32_t left = cut & active; left != 0; left &= left - 1)
+        next_piece(first + static_cast<std::size_t>(__builtin_ctz(left)));
+    }
     walking(first) = static_cast<std::uint8_t>(active);
     rescue(first, lost);
+  }
+
+  // A ray goes on along the next piece of its track, in the same cell.
+  void next_piece(std::size_t i) {
+    const TrackPiece piece =
+        tracks_->piece({set_.x[i], set_.y[i]}, set_.end[i], front_.terrain().reach_m());
+    set_.piece[i] += 1;
+    set_.begin[i] = piece.begin_m;
+    set_.end[i] = piece.end_m;
+    set_.start_u[i] = piece.start.x;
+    set_.start_v[i] = piece.start.y;
+    set_.rate_u[i] = piece.rate.x;
+    set_.rate_v[i] = piece.rate.y;
+    set_.metres_u[i] = piece.metres.x;
+    set_.metres_v[i] = piece.metres.y;
+  }
+
+  // Of lanes that have left the grid, those whose tracks come back.
+  std::uint32_t returning(std::size_t first, std::uint32_t outside) const {
+    std::uint32_t back = 0;
+    const TerrainLayer& layer = front_.terrain().layers()[0];
+    const double reach_m = front_.terrain().reach_m();
+    for (std::uint32_t left = outside; left != 0; left &= left - 1) {
+      const auto i = first + static_cast<std::size_t>(__builtin_ctz(left));
+      if (set_.end[i] >= reach_m) continue;
+      const GroundLine line{{0, 0}, {set_.x[i], set_.y[i]}};
+      GridWalk walk(*layer.grid, *layer.map, front_.terrain().model(), line, set_.end[i], reach_m);
+      if (walk.over_grid()) back |= 1U << __builtin_ctz(left);
+    }
+    return back;
   }
 
   HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V share) const {
@@ -323,15 +459,20 @@ class EyeLoop {
     }
   }
 
+  void move(std::size_t from, std::size_t to) {
+    set_.move(from, to);
+    if constexpr (kBent) set_.move_piece(from, to);
+  }
+
   // Moves the rays that walk to the front of the set.
   void pack() {
     std::size_t kept = 0;
     for (std::size_t first = 0; first < set_.count; first += hn::Lanes(D()))
       for (std::uint32_t left = walking(first); left != 0; left &= left - 1)
-        set_.move(first + static_cast<std::size_t>(__builtin_ctz(left)), kept++);
+        move(first + static_cast<std::size_t>(__builtin_ctz(left)), kept++);
     set_.count = kept;
     // Lanes past the last ray are computed all the same.
-    for (std::size_t i = kept; i % kVectorLanes != 0; ++i) set_.move(kept - 1, i);
+    for (std::size_t i = kept; i % kVectorLanes != 0; ++i) move(kept - 1, i);
     for (std::size_t first = 0; first < kept; first += hn::Lanes(D()))
       walking(first) = static_cast<std::uint8_t>(lanes_from(first));
   }
@@ -351,24 +492,17 @@ class EyeLoop {
     const M missed = ring >= of(rings_);
     const V known = hn::Min(ring, of(rings_ - 1));
     walking(first) = static_cast<std::uint8_t>(lanes & ~bits_of(missed));
-    const M leaps = ring > here;
+    // A leap may settle a little before its end, and must go forward all the same.
+    const M far = ring_at(known) > r.g + of(kBent ? 2 * front_.step_back_m() : 0);
+    const M leaps = hn::And(ring > here, far);
     if ((bits_of(leaps) & walking(first)) == 0) return;
 
-    Registers there = r;
     const V bound = sector_bound(wedge, known);
     const V down_m = hn::IfThenElseZero(
         bound < of(0), ring_at(known + of(1)) * (hn::Max(bound, r.slope) / r.slope));
-    const M seated =
-        seat(there, hn::Max(ring_at(known), down_m) - of(front_.margin_m()));
-    const M entered = hn::And(seated, enter(there));
-    r.column = hn::IfThenElse(leaps, there.column, r.column);
-    r.row = hn::IfThenElse(leaps, there.row, r.row);
-    r.g = hn::IfThenElse(leaps, there.g, r.g);
-    r.u = hn::IfThenElse(leaps, there.u, r.u);
-    r.v = hn::IfThenElse(leaps, there.v, r.v);
-    r.z = hn::IfThenElse(leaps, there.z, r.z);
-    save_walk(r, first);
-    const std::uint32_t lost = walking(first) & bits_of(hn::AndNot(entered, leaps));
+    const V start_m = hn::Max(ring_at(known), down_m) - of(front_.margin_m());
+    const M settled = settle(first, start_m, leaps);
+    const std::uint32_t lost = walking(first) & bits_of(hn::AndNot(settled, leaps));
     rescue(first, lost);
     walking(first) = static_cast<std::uint8_t>(walking(first) & ~lost);
   }
@@ -411,6 +545,7 @@ class EyeLoop {
   RaySet& set_;
   RescueList& rescues_;
   int rings_;
+  const EyeTracks* tracks_;
   double eye_u_ = 0;
   double eye_v_ = 0;
   // Where the eye is not over ground, no cell is its cell.
@@ -422,7 +557,9 @@ class EyeLoop {
 
 std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RaySet& set,
                           RescueList& rescues) {
-  return EyeLoop(front, rays, set, rescues).run();
+  if (front.terrain().layers()[0].map->linear())
+    return EyeLoop<false>(front, rays, set, rescues).run();
+  return EyeLoop<true>(front, rays, set, rescues).run();
 }
 
 void affine_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals) {
@@ -530,7 +667,17 @@ void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
 }
 
 void facet_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals) {
-  if (rays.count > 0) HWY_DYNAMIC_DISPATCH(affine_normals)(terrain, rays, normals);
+  if (terrain.layers()[0].map->linear()) {
+    if (rays.count > 0) HWY_DYNAMIC_DISPATCH(affine_normals)(terrain, rays, normals);
+    return;
+  }
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    if (!rays.is_hit(i)) continue;
+    const glm::dvec3 normal = terrain.facet_normal(rays.hit(i));
+    normals.x[i] = normal.x;
+    normals.y[i] = normal.y;
+    normals.z[i] = normal.z;
+  }
 }
 
 }  // namespace terrview

@@ -11,6 +11,8 @@
 
 namespace terrview {
 
+class EyeTracks;
+
 // A straight line on the ground of the view frame: origin + direction * g, g in metres >= 0.
 struct GroundLine {
   glm::dvec2 origin_m{0, 0};
@@ -40,6 +42,10 @@ class GroundMap {
 
   // The jacobian, where it is the same everywhere and every line is one piece; else null.
   [[nodiscard]] virtual const glm::dmat2* linear() const { return nullptr; }
+
+  // The tracks of lines from the eye, where a table of them was made; else null. Then these, and
+  // not piece_end_m(), make the pieces of such lines.
+  [[nodiscard]] virtual const EyeTracks* eye_tracks() const { return nullptr; }
 
   // A distance from the eye beyond which no post lies (or can be seen).
   [[nodiscard]] virtual double reach_m() const = 0;

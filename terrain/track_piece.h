@@ -19,8 +19,12 @@ struct TrackPiece {
   [[nodiscard]] glm::dvec2 at(double g_m) const { return start + rate * (g_m - begin_m); }
 };
 
+// Sets `metres` from `rate`. A rate too small to invert crosses no line within any reach: it becomes
+// 0.
+void set_metres(TrackPiece& piece);
+
 // The piece of `line` that begins at `begin_m`, where the grid is at `start`, and ends at `to_m` at
-// the latest.
+// the latest. On lines from the eye whose map has EyeTracks, the piece that `begin_m` lies on.
 [[nodiscard]] TrackPiece track_piece(const GroundMap& map, const GroundLine& line, double begin_m,
                                      glm::dvec2 start, double to_m);
 

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "tests/support/bent_map.h"
+#include "tests/support/parabolic_map.h"
 
 namespace terrview {
 namespace {
@@ -219,6 +220,21 @@ Terrain random_bent_terrain(Random& random, SurfaceModel model) {
   const double turn = random.sign() * random.uniform(0.01, 0.1) * (grid->columns + grid->rows);
   const double twist_per_m2 = turn / (reach_m * reach_m);
   const auto map = std::make_shared<const BentGroundMap>(eye_uv, spacing_m, twist_per_m2, reach_m);
+  return {{{grid, map}}, random_frame(random, *grid, reach_m, Position::general), model};
+}
+
+Terrain random_parabolic_terrain(Random& random, SurfaceModel model) {
+  const auto grid = std::make_shared<const HeightGrid>(random_grid(random));
+  const glm::dvec2 size(grid->columns - 1, grid->rows - 1);
+  const bool beside = random.chance(0.2);
+  const glm::dvec2 eye_uv(random.uniform(0, size.x) + (beside ? 1.2 * size.x : 0),
+                          random.uniform(0, size.y));
+  const double spacing_m = random.log_uniform(1, 100);
+  const double reach_m = 2.5 * spacing_m * (size.x + size.y);
+  // Some lines leave the grid and come back.
+  const double bend_per_m = random.sign() * random.uniform(0.01, 0.15) / reach_m;
+  const auto map =
+      std::make_shared<const ParabolicGroundMap>(eye_uv, spacing_m, bend_per_m, reach_m);
   return {{{grid, map}}, random_frame(random, *grid, reach_m, Position::general), model};
 }
 

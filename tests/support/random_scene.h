@@ -48,6 +48,9 @@ enum class Position { general, special };
 // back.
 [[nodiscard]] Terrain random_bent_terrain(Random& random, SurfaceModel model);
 
+// A random grid under a ParabolicGroundMap; the eye is over it, or a little beside.
+[[nodiscard]] Terrain random_parabolic_terrain(Random& random, SurfaceModel model);
+
 // From the eye or from anywhere near the ground, in any direction: grazing, level, towards the
 // ground, and some of limited length. In special position: vertical, along a line of the grid, or
 // through a post, from posts and from the ground itself.

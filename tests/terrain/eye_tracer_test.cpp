@@ -72,7 +72,7 @@ template <class MakeTerrain>
 void expect_same_bits(std::uint64_t seed, Position position, const MakeTerrain& make) {
   Random random(seed);
   int met = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 300; ++i) {
     const Terrain terrain = make(random);
     if (!EyeFront::serves(terrain)) continue;
     EyeFrontOptions options;
@@ -97,6 +97,12 @@ TEST(TraceEyeRays, HasTheHitsOfSingleRaysBitForBit) {
 TEST(TraceEyeRays, HasThemThroughPostsAndAlongLines) {
   expect_same_bits(2, Position::special, [](Random& random) {
     return random_terrain(random, SurfaceModel::hyperboloid, Position::special);
+  });
+}
+
+TEST(TraceEyeRays, HasThemOnBentTracks) {
+  expect_same_bits(3, Position::general, [](Random& random) {
+    return random_parabolic_terrain(random, SurfaceModel::hyperboloid);
   });
 }
 

@@ -1,0 +1,118 @@
+#include "terrain/eye_tracks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "terrain/square_sectors.h"
+
+namespace terrview {
+namespace {
+
+constexpr int kFewestSectors = 64;  // a side
+constexpr int kMostSectors = 1024;
+constexpr std::size_t kMostKnots = 96;
+
+// What the table may add to the errors of a map, as a share of its limits.
+constexpr double kShareOfLimit = 0.1;
+
+}  // namespace
+
+std::optional<EyeTracks> EyeTracks::make(const GroundMap& map) {
+  for (int sectors = kFewestSectors; sectors <= kMostSectors; sectors *= 2) {
+    EyeTracks tracks(map, sectors);
+    if (!tracks.find_knots(map)) return std::nullopt;
+    tracks.fill(map);
+    if (tracks.is_close_to(map)) return tracks;
+  }
+  return std::nullopt;
+}
+
+EyeTracks::EyeTracks(const GroundMap& map, int sectors_a_side)
+    : sectors_a_side_(sectors_a_side), eye_uv_(map.to_grid({0, 0})) {}
+
+// The next knot is where the first of the table's directions needs one.
+bool EyeTracks::find_knots(const GroundMap& map) {
+  const double reach_m = map.reach_m();
+  knots_m_.assign(1, 0);
+  while (knots_m_.back() < reach_m) {
+    if (knots_m_.size() > kMostKnots) return false;
+    double next_m = reach_m;
+    for (int i = 0; i < 4 * sectors_a_side_; ++i)
+      next_m = std::min(next_m, map.piece_end_m({{0, 0}, edge(i, 0)}, knots_m_.back(), next_m));
+    if (!(next_m > knots_m_.back())) return false;
+    knots_m_.push_back(next_m);
+  }
+  return true;
+}
+
+void EyeTracks::fill(const GroundMap& map) {
+  const int sectors = 4 * sectors_a_side_;
+  const auto count = static_cast<std::size_t>(pieces());
+  coefficients_.reserve(static_cast<std::size_t>(sectors) * count * kCoefficients);
+  const auto from_eye = [&](glm::dvec2 direction, double g_m) {
+    return map.to_grid(direction * g_m) - eye_uv_;
+  };
+  for (int sector = 0; sector < sectors; ++sector) {
+    const glm::dvec2 a = edge(sector, 0);
+    const glm::dvec2 b = edge(sector, 1);
+    const glm::dmat2 per_direction = glm::inverse(glm::dmat2(a, b));
+    glm::dmat2 start(0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double end_m = knots_m_[i + 1];
+      const glm::dmat2 end = glm::dmat2(from_eye(a, end_m), from_eye(b, end_m)) * per_direction;
+      const glm::dmat2 rate = (end - start) / (end_m - knots_m_[i]);
+      for (const glm::dmat2& m : {start, rate})
+        coefficients_.insert(coefficients_.end(), {m[0].x, m[1].x, m[0].y, m[1].y});
+      start = end;
+    }
+  }
+}
+
+// Amid the sectors, where the table is worst.
+bool EyeTracks::is_close_to(const GroundMap& map) const {
+  for (int sector = 0; sector < 4 * sectors_a_side_; ++sector) {
+    const glm::dvec2 direction = edge(sector, 0.5);
+    for (std::size_t i = 1; i < knots_m_.size(); ++i) {
+      const double g_m = knots_m_[i];
+      const glm::dvec2 exact = map.to_grid(direction * g_m);
+      const double error = glm::distance(piece(direction, knots_m_[i - 1], g_m).end, exact);
+      const double cells_per_rad = glm::length(exact - eye_uv_);
+      if (!(error <= kShareOfLimit * GroundMap::kTrackError_cells) ||
+          !(error <= kShareOfLimit * GroundMap::kTrackError_rad * std::max(1.0, cells_per_rad)))
+        return false;
+    }
+  }
+  return true;
+}
+
+glm::dvec2 EyeTracks::edge(int sector, double share) const {
+  return sector_edge(sector / sectors_a_side_, sector % sectors_a_side_ + share, sectors_a_side_);
+}
+
+int EyeTracks::piece_at(double from_m) const {
+  const auto beyond = std::upper_bound(knots_m_.begin() + 1, knots_m_.end() - 1, from_m);
+  return static_cast<int>(beyond - knots_m_.begin()) - 1;
+}
+
+TrackPiece EyeTracks::piece(glm::dvec2 direction, double from_m, double to_m) const {
+  const auto i = static_cast<std::size_t>(piece_at(from_m));
+  const auto at = static_cast<std::size_t>(sector_of(direction, sectors_a_side_)) *
+                  static_cast<std::size_t>(pieces());
+  const double* c = coefficients_.data() + (at + i) * kCoefficients;
+  TrackPiece piece{knots_m_[i], std::max(from_m, std::min(knots_m_[i + 1], to_m)),
+                   eye_uv_ + glm::dvec2(c[0] * direction.x + c[1] * direction.y,
+                                        c[2] * direction.x + c[3] * direction.y),
+                   {},
+                   {c[4] * direction.x + c[5] * direction.y,
+                    c[6] * direction.x + c[7] * direction.y},
+                   {0, 0}};
+  set_metres(piece);
+  piece.end = piece.at(piece.end_m);
+  return piece;
+}
+
+}  // namespace terrview
