@@ -108,6 +108,10 @@ glm::dmat2 CurvedGroundMap::jacobian(glm::dvec2 ground_m) const {
   return patches_.leaf_at(point).patch.jacobian(point);
 }
 
+double CurvedGroundMap::reach_m(glm::dvec2 direction) const {
+  return std::min(reach_m_, std::max(0.0, chord_of(disc_, {{0, 0}, direction}).out_m));
+}
+
 double CurvedGroundMap::piece_end_m(const GroundLine& line, double from_m, double limit_m) const {
   const Chord chord = chord_of(disc_, line);
   const double least_m = kLeastPiece * disc_.radius_m;

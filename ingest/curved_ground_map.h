@@ -30,6 +30,7 @@ class CurvedGroundMap final : public GroundMap {
   [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
                                    double limit_m) const override;
   [[nodiscard]] double reach_m() const override { return reach_m_; }
+  [[nodiscard]] double reach_m(glm::dvec2 direction) const override;
 
   [[nodiscard]] const EyeTracks* eye_tracks() const override {
     return tracks_ ? &*tracks_ : nullptr;

@@ -41,8 +41,13 @@ bool EyeTracks::find_knots(const GroundMap& map) {
   while (knots_m_.back() < reach_m) {
     if (knots_m_.size() > kMostKnots) return false;
     double next_m = reach_m;
-    for (int i = 0; i < 4 * sectors_a_side_; ++i)
-      next_m = std::min(next_m, map.piece_end_m({{0, 0}, edge(i, 0)}, knots_m_.back(), next_m));
+    for (int i = 0; i < 4 * sectors_a_side_; ++i) {
+      const GroundLine line{{0, 0}, edge(i, 0)};
+      const double last_m = map.reach_m(line.direction);
+      if (knots_m_.back() >= last_m) continue;
+      const double end_m = map.piece_end_m(line, knots_m_.back(), std::min(next_m, last_m));
+      if (end_m < last_m) next_m = std::min(next_m, end_m);
+    }
     if (!(next_m > knots_m_.back())) return false;
     knots_m_.push_back(next_m);
   }
@@ -53,18 +58,16 @@ void EyeTracks::fill(const GroundMap& map) {
   const int sectors = 4 * sectors_a_side_;
   const auto count = static_cast<std::size_t>(pieces());
   coefficients_.reserve(static_cast<std::size_t>(sectors) * count * kCoefficients);
-  const auto from_eye = [&](glm::dvec2 direction, double g_m) {
-    return map.to_grid(direction * g_m) - eye_uv_;
-  };
   for (int sector = 0; sector < sectors; ++sector) {
     const glm::dvec2 a = edge(sector, 0);
     const glm::dvec2 b = edge(sector, 1);
     const glm::dmat2 per_direction = glm::inverse(glm::dmat2(a, b));
+    const std::vector<glm::dvec2> knots_a = knots_along(map, a);
+    const std::vector<glm::dvec2> knots_b = knots_along(map, b);
     glm::dmat2 start(0);
     for (std::size_t i = 0; i < count; ++i) {
-      const double end_m = knots_m_[i + 1];
-      const glm::dmat2 end = glm::dmat2(from_eye(a, end_m), from_eye(b, end_m)) * per_direction;
-      const glm::dmat2 rate = (end - start) / (end_m - knots_m_[i]);
+      const glm::dmat2 end = glm::dmat2(knots_a[i + 1], knots_b[i + 1]) * per_direction;
+      const glm::dmat2 rate = (end - start) / (knots_m_[i + 1] - knots_m_[i]);
       for (const glm::dmat2& m : {start, rate})
         coefficients_.insert(coefficients_.end(), {m[0].x, m[1].x, m[0].y, m[1].y});
       start = end;
@@ -72,11 +75,27 @@ void EyeTracks::fill(const GroundMap& map) {
   }
 }
 
+// From the eye, in posts. Beyond the last post the last piece goes on.
+std::vector<glm::dvec2> EyeTracks::knots_along(const GroundMap& map, glm::dvec2 direction) const {
+  const double last_m = map.reach_m(direction);
+  std::vector<glm::dvec2> knots{{0, 0}};
+  glm::dvec2 rate(0);
+  for (std::size_t i = 1; i < knots_m_.size(); ++i) {
+    const double begin_m = knots_m_[i - 1];
+    const double end_m = std::min(knots_m_[i], last_m);
+    if (begin_m < last_m)
+      rate = (map.to_grid(direction * end_m) - eye_uv_ - knots.back()) / (end_m - begin_m);
+    knots.push_back(knots.back() + rate * (knots_m_[i] - begin_m));
+  }
+  return knots;
+}
+
 // Amid the sectors, where the table is worst.
 bool EyeTracks::is_close_to(const GroundMap& map) const {
   for (int sector = 0; sector < 4 * sectors_a_side_; ++sector) {
     const glm::dvec2 direction = edge(sector, 0.5);
-    for (std::size_t i = 1; i < knots_m_.size(); ++i) {
+    const double last_m = map.reach_m(direction);
+    for (std::size_t i = 1; i < knots_m_.size() && knots_m_[i] <= last_m; ++i) {
       const double g_m = knots_m_[i];
       const glm::dvec2 exact = map.to_grid(direction * g_m);
       const double error = glm::distance(piece(direction, knots_m_[i - 1], g_m).end, exact);

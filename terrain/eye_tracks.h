@@ -46,6 +46,8 @@ class EyeTracks {
   [[nodiscard]] bool find_knots(const GroundMap& map);
   void fill(const GroundMap& map);
   [[nodiscard]] bool is_close_to(const GroundMap& map) const;
+  [[nodiscard]] std::vector<glm::dvec2> knots_along(const GroundMap& map,
+                                                    glm::dvec2 direction) const;
   // The direction at a share of a sector.
   [[nodiscard]] glm::dvec2 edge(int sector, double share) const;
 

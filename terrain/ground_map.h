@@ -47,8 +47,9 @@ class GroundMap {
   // not piece_end_m(), make the pieces of such lines.
   [[nodiscard]] virtual const EyeTracks* eye_tracks() const { return nullptr; }
 
-  // A distance from the eye beyond which no post lies (or can be seen).
+  // A distance from the eye beyond which no post lies (or can be seen), and one for a direction.
   [[nodiscard]] virtual double reach_m() const = 0;
+  [[nodiscard]] virtual double reach_m(glm::dvec2 /*direction*/) const { return reach_m(); }
 };
 
 // (u, v) = origin + jacobian * (x, y): every line is one piece.
