@@ -8,6 +8,7 @@
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -194,6 +195,18 @@ BenchRun read_run(const std::string& path) {
   }
 }
 
+// A page that cannot take the tables is known before the measuring.
+std::string read_page(const std::string& path) {
+  if (path.empty()) return {};
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  if (page_with_tables(text.str(), {}).empty())
+    throw InputError("--page: " + path +
+                     ": has no place for tables: give a page with the comments 'terrview-bench "
+                     "--page: begin' and 'terrview-bench --page: end'");
+  return text.str();
+}
+
 std::optional<OutputFile> claim(const std::string& path) {
   if (path.empty()) return std::nullopt;
   return std::optional<OutputFile>(std::in_place, path, /*overwrite=*/true);
@@ -219,6 +232,8 @@ int run_bench(const std::vector<std::string>& args) {
   }
   std::optional<OutputFile> json = claim(options->json);
   std::optional<OutputFile> svg = claim(options->svg);
+  const std::string old_page = read_page(options->page);
+  std::optional<OutputFile> page = claim(options->page);
   BenchRun run;
   if (options->from.empty()) {
     run = measure_all(*options, args);
@@ -229,6 +244,7 @@ int run_bench(const std::vector<std::string>& args) {
   }
   finish(json, to_json(run).dump(1) + '\n');
   finish(svg, figure_svg(run));
+  finish(page, page_with_tables(old_page, run));
   return 0;
 }
 

@@ -47,6 +47,7 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   line.add_flag("--quick", quick, "small scenes and pictures");
   line.add_option("--json", options.json, "write the results");
   line.add_option("--svg", options.svg, "draw speed against error");
+  line.add_option("--page", options.page, "put the tables into a Markdown page that is there");
   line.add_flag("--tremble", options.tremble,
                 "instead: how the surface models differ, and how they move with the eye");
   line.add_option("--from", options.from, "show results that --json wrote instead of measuring");

@@ -13,6 +13,7 @@ struct BenchOptions {
   std::vector<std::string> dems;  // files
   std::string json;               // outputs; empty = none
   std::string svg;
+  std::string page;      // Markdown that is there, to fill in
   bool tremble = false;  // the study of surfaces instead
   std::string from;      // results to show instead of measuring
   // Of what there is, only these; empty = all.

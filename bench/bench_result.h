@@ -35,7 +35,7 @@ struct BenchResult {
 };
 
 struct BenchRun {
-  nlohmann::ordered_json machine;
+  nlohmann::ordered_json machine = nlohmann::ordered_json::object();
   std::string command;
   std::string date;  // ISO 8601, UTC
   std::vector<BenchResult> results;

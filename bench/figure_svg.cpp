@@ -162,7 +162,8 @@ Axes axes_of(const std::vector<Panel>& panels) {
   Axes axes;
   for (const Panel& panel : panels)
     for (const BenchResult* result : panel.second) {
-      if (*result->max_rel_error > 0) axes.error.take_in(*result->max_rel_error);
+      const double error = *result->max_rel_error;
+      if (error > 0 && std::isfinite(error)) axes.error.take_in(error);
       axes.speed.take_in(result->mrays_per_s);
     }
   return axes;

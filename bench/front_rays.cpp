@@ -14,7 +14,7 @@
 namespace terrview {
 
 FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
-                       TracedFrame& frame) {
+                      TracedFrame& frame) {
   constexpr int kWide_px = 32;
   constexpr int kHigh_px = static_cast<int>(EyeRays::kMost) / kWide_px;
   std::atomic<std::int64_t> tests = 0;
@@ -41,10 +41,12 @@ FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
         std::size_t pixel = frame.index(left, band * kHigh_px + row);
         for (int column = 0; column < columns; ++column, ++i, ++pixel) {
           const bool hit = rays->is_hit(i);
-          frame.distance_m[pixel] = hit ? rays->ground_m[i] * std::sqrt(1 + rays->slope[i] * rays->slope[i])
-                                        : std::numeric_limits<double>::infinity();
-          frame.cell[pixel] =
-              hit ? static_cast<std::int32_t>(rays->row[i]) * cells_in_row + static_cast<std::int32_t>(rays->column[i]) : kNoCell;
+          frame.distance_m[pixel] =
+              hit ? rays->ground_m[i] * std::sqrt(1 + rays->slope[i] * rays->slope[i])
+                  : std::numeric_limits<double>::infinity();
+          frame.cell[pixel] = hit ? static_cast<std::int32_t>(rays->row[i]) * cells_in_row +
+                                        static_cast<std::int32_t>(rays->column[i])
+                                  : kNoCell;
           frame.normal_east[pixel] = hit ? static_cast<float>(normals->x[i]) : 0;
           frame.normal_north[pixel] = hit ? static_cast<float>(normals->y[i]) : 0;
         }

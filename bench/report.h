@@ -28,4 +28,8 @@ void print_earth(std::ostream& out, const std::vector<BenchResult>& results);
 // its own.
 [[nodiscard]] std::string figure_svg(const BenchRun& run);
 
+// A Markdown page with the tables of a run in place of what stands between its two comments
+// "terrview-bench --page: begin" and "end"; empty where it lacks them.
+[[nodiscard]] std::string page_with_tables(const std::string& page, const BenchRun& run);
+
 }  // namespace terrview

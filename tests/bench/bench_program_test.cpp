@@ -179,6 +179,25 @@ TEST_F(BenchProgram, ShowsResultsAgainFromTheirFile) {
   EXPECT_EQ(text_of(folder_ / "again.svg"), text_of(folder_ / "r.svg"));
 }
 
+TEST_F(BenchProgram, PutsItsTablesBetweenTheCommentsOfAPage) {
+  const fs::path page = folder_ / "page.md";
+  std::ofstream(page) << "before\n<!-- terrview-bench --page: begin -->\nold\n"
+                         "<!-- terrview-bench --page: end -->\nafter\n";
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(run_bench({"--from", (folder_ / "r.json").string(), "--page", page.string()}), 0);
+  testing::internal::GetCapturedStdout();
+  const std::string text = text_of(page);
+  EXPECT_TRUE(text.starts_with("before\n<!-- terrview-bench --page: begin -->\n"));
+  EXPECT_TRUE(text.ends_with("<!-- terrview-bench --page: end -->\nafter\n"));
+  EXPECT_EQ(text.find("old"), std::string::npos);
+  EXPECT_NE(text.find("| synthetic-65, valley | "), std::string::npos);
+  EXPECT_NE(text.find(run_.at("command").get<std::string>()), std::string::npos);
+}
+
+TEST(BenchOptions, APageWithoutAPlaceForTablesIsRefused) {
+  EXPECT_THROW((void)run_bench({"--page", TERRVIEW_SOURCE_DIR "/CMakePresets.json"}), InputError);
+}
+
 TEST(BenchOptions, QuickIsSmallAndMayBeChanged) {
   const auto options = parse_bench_options({"--quick", "--size", "100x50"});
   ASSERT_TRUE(options);
