@@ -82,6 +82,8 @@ void add_sampling_options(CLI::App& app, ViewOptions& options) {
                  "A picture that is there at once and improves until it is the final one")
       ->type_name("FILE");
   samples->excludes(contrast)->excludes(preview);
+  add_switch(app, "--lod", options.sampling.detail,
+             "off: ground is not averaged where a pixel covers more than a post (default on)");
 }
 
 void add_light_options(CLI::App& app, ViewOptions& options) {

@@ -42,6 +42,7 @@ struct SamplingOptions {
   int samples = 0;  // a pixel; 0 = adaptive
   double contrast = 0.03;
   bool preview = false;
+  bool detail = true;
 };
 
 struct ViewOptions {

@@ -95,6 +95,7 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
   scene.normals = options.normals;
   set_light(options.light, sun, scene);
   scene.air = make_air(options.air);
+  if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
   if (!options.colors.empty())
     scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
   return scene;

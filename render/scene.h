@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "render/color_ramp.h"
+#include "render/ground_detail.h"
 #include "terrain/terrain.h"
 
 namespace terrview {
@@ -48,6 +49,7 @@ struct Scene {
   std::shared_ptr<const Terrain> terrain;
   ColorRamp tints = altitude_tints();
   NormalKind normals = NormalKind::smooth;
+  std::shared_ptr<const GroundDetail> detail;  // none: every pixel sees a point of the ground
   Light light;
   SkyGradient sky;
   Air air;
