@@ -31,6 +31,9 @@ void add_sun_options(CLI::App& app, LightOptions& light) {
   auto* shade =
       add_choice<bool>(app, "--shade", light.relief, {{"sun", false}, {"relief", true}},
                        "relief: a map's light, from the north-west, without cast shadows");
+  app.add_option("--sky-view", light.sky_azimuths,
+                 "The sky lights valleys less: horizons in so many azimuths (default: evenly)")
+      ->check(CLI::Range(8, 128));
   time->excludes(sun)->excludes(shade);
 }
 

@@ -78,6 +78,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["sun"]["refracted"] = light.refracted_sun;
   json["shade"] = light.relief ? "relief" : "sun";
   json["shadows"] = !casts_shadows(light) ? "none" : light.soft_shadows ? "soft" : "hard";
+  json["sky_view"] = light.sky_azimuths;
   json["air"] = air_json(options.air);
   json["samples"] = samples_json(options.sampling);
   json["lod"] = options.sampling.detail;

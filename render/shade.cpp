@@ -52,6 +52,11 @@ void cast_shadows(const Scene& scene, std::span<const std::optional<Hit>> hits,
   for (std::size_t i = 0; i < indices.size(); ++i) facings[indices[i]] *= shares[i];
 }
 
+glm::vec3 sky_light(const Scene& scene, const Hit& hit) {
+  if (!scene.sky_views) return scene.light.ambient;
+  return scene.light.ambient * (*scene.sky_views)[static_cast<std::size_t>(hit.grid)].at(hit.uv);
+}
+
 // Puts the air before what the ray meets at `hit`.
 void add_air(const Scene& scene, const Ray& ray, const Hit& hit, ShadedRay& shaded) {
   shaded.color = shaded.clear;
@@ -78,7 +83,7 @@ std::vector<ShadedRay> shade(const Scene& scene, const PixelWidth& pixel, std::s
   if (scene.light.casts_shadows) cast_shadows(scene, hits, sunlit, shadow_rays);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (hits[i]) {
-      shaded[i].clear *= scene.light.ambient + sunlit[i] * scene.light.sun;
+      shaded[i].clear *= sky_light(scene, *hits[i]) + sunlit[i] * scene.light.sun;
       add_air(scene, rays[i], *hits[i], shaded[i]);
     } else {
       shaded[i].clear = background_color(scene, glm::normalize(rays[i].direction));
