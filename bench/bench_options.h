@@ -14,6 +14,7 @@ struct BenchOptions {
   std::string json;               // outputs; empty = none
   std::string svg;
   bool tremble = false;  // the study of surfaces instead
+  bool light = false;    // the study of light and air instead
   std::string from;      // results to show instead of measuring
   // Of what there is, only these; empty = all.
   std::vector<std::string> scenes;      // synthetic, city, thesis, and the files' names
