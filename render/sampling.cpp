@@ -111,7 +111,8 @@ std::vector<Sample> Sampler::trace_points(std::span<const glm::dvec2> points_px,
   std::vector<Ray> rays;
   for (const glm::dvec2& point : points_px) rays.push_back(camera_.ray(point));
   TraceCounts traced;
-  const std::vector<std::optional<Hit>> hits = trace_rays(*scene_.terrain, front_.get(), rays, traced);
+  const std::vector<std::optional<Hit>> hits =
+      trace_rays(*scene_.terrain, front_.get(), rays, traced);
   RenderCounts mine = count_of(hits, traced);
   mine.trace_s = stopwatch.lap();
   std::vector<Sample> samples;
