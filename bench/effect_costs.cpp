@@ -89,15 +89,28 @@ double psnr_db(const Image& a, const Image& b) {
   return -10 * std::log10(sum / (3 * static_cast<double>(a.pixels().size())));
 }
 
-void print_haze(std::ostream& out, const Scene& bare, const Camera& camera, double reach_m) {
+// Half of the ground in the picture lies nearer.
+double median_distance_m(const Scene& bare, const Camera& camera) {
+  std::vector<double> distances_m;
+  for (const PixelSample& sample : render(bare, camera, {.keep_samples = true}).samples.pixels()) {
+    if (sample.object_id != PixelSample::kNothing)
+      distances_m.push_back(glm::length(sample.position_m));
+  }
+  const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
+  std::nth_element(distances_m.begin(), middle, distances_m.end());
+  return *middle;
+}
+
+void print_haze(std::ostream& out, const Scene& bare, const Camera& camera) {
   print_line(out, "\nhaze: rays spared, and the picture beside that of every pixel traced");
-  for (const double blur_px : {1.0, 2.0, 4.0, 8.0}) {
+  const double middle_m = median_distance_m(bare, camera);
+  for (const double blur_px : {0.5, 1.0, 2.0, 4.0}) {
     Scene scene = bare;
-    scene.air.haze_px_per_m = blur_px / (reach_m / 2);
+    scene.air.haze_px_per_m = blur_px / middle_m;
     const Frame sparse = render(scene, camera);
     const Frame full = render(scene, camera, {.sparse_haze = false});
     print_line(
-        out, "  %g px at half the reach: %5.1f %% of the rays spared, PSNR %.1f dB", blur_px,
+        out, "  %g px at the median distance: %5.1f %% of the rays spared, PSNR %.1f dB", blur_px,
         100 * (1 - static_cast<double>(sparse.counts.rays) / static_cast<double>(full.counts.rays)),
         psnr_db(sparse.image, full.image));
   }
@@ -163,7 +176,7 @@ void print_effect_costs(std::ostream& out, const BenchDem& dem, glm::ivec2 size_
                100 * (costs[e].median_s() / costs[0].median_s() - 1),
                static_cast<double>(costs[e].rays) / (1e6 * megapixels),
                static_cast<double>(costs[e].shadow_rays) / (1e6 * megapixels));
-  print_haze(out, bare, view->camera, reach_m);
+  print_haze(out, bare, view->camera);
   print_sparkle(out, dem);
 }
 

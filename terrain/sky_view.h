@@ -30,10 +30,9 @@ struct SkyView {
   [[nodiscard]] float at(glm::dvec2 uv) const;
 };
 
-// One grid and one azimuth: the hull of every line. For grids whose rows the azimuth follows more
-// nearly than their columns; the others are transposed.
+// What a post's normal turns into its sky view: sums over the azimuths, h the horizon.
 struct SkySum {
-  float level = 0;       // sum of cos^2 h over the azimuths, h the horizon
+  float level = 0;       // of cos^2 h
   glm::vec2 tilt{0, 0};  // of (pi / 2 - h - sin h cos h) times the azimuth's east and north
 };
 
@@ -50,7 +49,8 @@ class SkyViewSweep {
   [[nodiscard]] SkyView result() const;
 
  private:
-  // An azimuth in the axes of the grid that it sweeps.
+  // An azimuth in the axes of the grid that it sweeps: the transposed one, where it follows columns
+  // more nearly than rows.
   struct Azimuth {
     glm::vec2 towards;  // east and north
     bool transposed;
