@@ -92,7 +92,8 @@ double psnr_db(const Image& a, const Image& b) {
 // Half of the ground in the picture lies nearer.
 double median_distance_m(const Scene& bare, const Camera& camera) {
   std::vector<double> distances_m;
-  for (const PixelSample& sample : render(bare, camera, {.keep_samples = true}).samples.pixels()) {
+  const Frame frame = render(bare, camera, {.keep_samples = true});
+  for (const PixelSample& sample : frame.samples.pixels()) {
     if (sample.object_id != PixelSample::kNothing)
       distances_m.push_back(glm::length(sample.position_m));
   }

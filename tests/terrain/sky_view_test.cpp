@@ -89,16 +89,16 @@ TEST(SkyView, OfAnEndlessSlopeIsHalfOfOneAndItsCosine) {
 
 // Every point of a sphere sees every other part of it alike: half of it is open.
 TEST(SkyView, InAHemisphericalBowlIsOneHalf) {
-  constexpr double kRadius = 400;
-  const HeightGrid bowl = make_grid(1001, 1001, [](int column, int row) {
-    const double r = std::hypot(column - 500, row - 500);
+  constexpr double kRadius = 200;
+  const HeightGrid bowl = make_grid(501, 501, [](int column, int row) {
+    const double r = std::hypot(column - 250, row - 250);
     return r < kRadius ? kRadius - std::sqrt(kRadius * kRadius - r * r) : kRadius;
   });
-  const SkyView view = sky_view(bowl, spaced(1, 1), 64);
-  EXPECT_NEAR(view.at({500, 500}), 0.5, 0.002);
-  EXPECT_NEAR(view.at({600, 540}), 0.5, 0.004);
-  EXPECT_NEAR(view.at({430, 300}), 0.5, 0.004);
-  EXPECT_NEAR(view.at({950, 950}), 1, 1e-3);
+  const SkyView view = sky_view(bowl, spaced(1, 1), 32);
+  EXPECT_NEAR(view.at({250, 250}), 0.5, 0.004);
+  EXPECT_NEAR(view.at({300, 270}), 0.5, 0.006);
+  EXPECT_NEAR(view.at({215, 150}), 0.5, 0.006);
+  EXPECT_NEAR(view.at({475, 475}), 1, 1e-3);
 }
 
 HeightGrid rough(std::uint32_t seed, double amplitude_m) {
@@ -131,9 +131,9 @@ TEST(SkyView, AgreesWithEveryHorizonByBruteForce) {
 
 TEST(SkyView, ConvergesWithTheNumberOfAzimuths) {
   const HeightGrid grid = rough(5, 150);
-  const SkyView many = sky_view(grid, spaced(60, 90), 512);
+  const SkyView many = sky_view(grid, spaced(60, 90), 256);
   double last = 1;
-  for (const int azimuths : {8, 16, 32, 64}) {
+  for (const int azimuths : {8, 16, 32}) {
     const SkyView view = sky_view(grid, spaced(60, 90), azimuths);
     double squares = 0;
     for (std::size_t i = 0; i < view.shares.size(); ++i)
@@ -142,7 +142,7 @@ TEST(SkyView, ConvergesWithTheNumberOfAzimuths) {
     EXPECT_LT(rms, last);
     last = rms;
   }
-  EXPECT_LT(last, 0.004);
+  EXPECT_LT(last, 0.008);
 }
 
 TEST(SkyView, OfExaggeratedGroundIsThatOfHigherGround) {
