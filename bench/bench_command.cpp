@@ -19,6 +19,7 @@
 #include "bench/bench_view.h"
 #include "bench/contender.h"
 #include "bench/file_to_png.h"
+#include "bench/light_study.h"
 #include "bench/machine.h"
 #include "bench/measure.h"
 #include "bench/report.h"
@@ -184,6 +185,16 @@ void study_surfaces(const BenchOptions& options) {
       print_surface_study(std::cout, each.dem(), options.size_px);
 }
 
+void study_light(const BenchOptions& options) {
+  std::cout << describe_machine().dump() << '\n';
+  for (const Case& each : make_cases(options)) {
+    if (!is_chosen(options.scenes, each.scene) || each.scene == "thesis") continue;
+    const BenchDem dem = each.dem();
+    print_effect_costs(std::cout, dem, options.size_px, options.repetitions);
+    print_sky_view_study(std::cout, dem);
+  }
+}
+
 BenchRun read_run(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw InputError("--from: " + path + ": cannot be opened: check its name");
@@ -228,6 +239,10 @@ int run_bench(const std::vector<std::string>& args) {
   if (!options) return 0;
   if (options->tremble) {
     study_surfaces(*options);
+    return 0;
+  }
+  if (options->light) {
+    study_light(*options);
     return 0;
   }
   std::optional<OutputFile> json = claim(options->json);

@@ -50,6 +50,8 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
   line.add_option("--page", options.page, "put the tables into a Markdown page that is there");
   line.add_flag("--tremble", options.tremble,
                 "instead: how the surface models differ, and how they move with the eye");
+  line.add_flag("--light", options.light,
+                "instead: what light and air cost, and the sky view beside Embree");
   line.add_option("--from", options.from, "show results that --json wrote instead of measuring");
   line.add_option("--scenes", options.scenes, "only these: synthetic, city, thesis, dem")
       ->delimiter(',');

@@ -15,6 +15,7 @@ struct BenchOptions {
   std::string svg;
   std::string page;      // Markdown that is there, to fill in
   bool tremble = false;  // the study of surfaces instead
+  bool light = false;    // the study of light and air instead
   std::string from;      // results to show instead of measuring
   // Of what there is, only these; empty = all.
   std::vector<std::string> scenes;      // synthetic, city, thesis, and the files' names

@@ -31,6 +31,9 @@ void add_sun_options(CLI::App& app, LightOptions& light) {
   auto* shade =
       add_choice<bool>(app, "--shade", light.relief, {{"sun", false}, {"relief", true}},
                        "relief: a map's light, from the north-west, without cast shadows");
+  app.add_option("--sky-view", light.sky_azimuths,
+                 "The sky lights valleys less: horizons in so many azimuths (default: evenly)")
+      ->check(CLI::Range(8, 128));
   time->excludes(sun)->excludes(shade);
 }
 
@@ -82,6 +85,8 @@ void add_sampling_options(CLI::App& app, ViewOptions& options) {
                  "A picture that is there at once and improves until it is the final one")
       ->type_name("FILE");
   samples->excludes(contrast)->excludes(preview);
+  add_switch(app, "--lod", options.sampling.detail,
+             "off: ground is not averaged where a pixel covers more than a post (default on)");
 }
 
 void add_light_options(CLI::App& app, ViewOptions& options) {

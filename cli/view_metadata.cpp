@@ -78,8 +78,10 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["sun"]["refracted"] = light.refracted_sun;
   json["shade"] = light.relief ? "relief" : "sun";
   json["shadows"] = !casts_shadows(light) ? "none" : light.soft_shadows ? "soft" : "hard";
+  json["sky_view"] = light.sky_azimuths;
   json["air"] = air_json(options.air);
   json["samples"] = samples_json(options.sampling);
+  json["lod"] = options.sampling.detail;
   json["surface"] = name_of(options.surface);
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
   if (!options.colors.empty()) json["colors"] = file_name(options.colors);

@@ -27,7 +27,8 @@ struct LightOptions {
   bool refracted_sun = false;  // drawn where refraction lifts it
   bool soft_shadows = false;
   bool no_shadows = false;
-  bool relief = false;  // a map's light
+  bool relief = false;   // a map's light
+  int sky_azimuths = 0;  // of the horizons that dim the sky's light; 0 = it is even
 };
 
 struct AirOptions {
@@ -42,6 +43,7 @@ struct SamplingOptions {
   int samples = 0;  // a pixel; 0 = adaptive
   double contrast = 0.03;
   bool preview = false;
+  bool detail = true;
 };
 
 struct ViewOptions {

@@ -8,8 +8,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "cli/interrupt.h"
 #include "cli/view_light.h"
 #include "ingest/color_ramp_file.h"
+#include "render/sky_light.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -94,7 +96,13 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
   scene.terrain = frame.terrain();
   scene.normals = options.normals;
   set_light(options.light, sun, scene);
+  if (options.light.sky_azimuths > 0)
+    scene.sky_views = std::make_shared<const std::vector<SkyView>>(
+        sky_views(*scene.terrain, {.azimuths = options.light.sky_azimuths,
+                                   .threads = options.threads,
+                                   .progress = [](double) { check_interrupt(); }}));
   scene.air = make_air(options.air);
+  if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
   if (!options.colors.empty())
     scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
   return scene;

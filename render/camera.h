@@ -45,6 +45,9 @@ class Camera {
   [[nodiscard]] std::optional<glm::dvec2> project(const glm::dvec3& point_m) const;
 
   [[nodiscard]] const CameraOptions& options() const { return options_; }
+  // The size of a pixel: on the image plane at distance 1, radians, or metres of an orthographic
+  // one.
+  [[nodiscard]] double per_px() const { return per_px_; }
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
   [[nodiscard]] const glm::dvec3& right() const { return right_; }
   [[nodiscard]] const glm::dvec3& up() const { return up_; }

@@ -58,7 +58,7 @@ glm::dvec2 sample_offset(int index) {
 }
 
 Sampler::Sampler(const Scene& scene, const Camera& camera, const RenderOptions& options)
-    : scene_(scene), camera_(camera), options_(options) {
+    : scene_(scene), camera_(camera), options_(options), pixel_width_(pixel_width(camera)) {
   if (options.coherence) front_ = view_front(*scene.terrain, camera);
 }
 
@@ -98,7 +98,7 @@ RenderCounts Sampler::trace_block(const PixelTracer& tracer, const Block& block,
   const std::vector<std::optional<Hit>> hits = tracer.trace(block, points, traced);
   RenderCounts counts = count_of(hits, traced);
   counts.trace_s = stopwatch.lap();
-  const std::vector<ShadedRay> shaded = shade(scene_, rays, hits, counts.shadow_rays);
+  const std::vector<ShadedRay> shaded = shade(scene_, pixel_width_, rays, hits, counts.shadow_rays);
   for (std::size_t i = 0; i < points.size(); ++i)
     take(step * points[i], shaded[i], hits[i] ? &*hits[i] : nullptr);
   counts.shade_s = stopwatch.lap();
@@ -111,11 +111,12 @@ std::vector<Sample> Sampler::trace_points(std::span<const glm::dvec2> points_px,
   std::vector<Ray> rays;
   for (const glm::dvec2& point : points_px) rays.push_back(camera_.ray(point));
   TraceCounts traced;
-  const std::vector<std::optional<Hit>> hits = trace_rays(*scene_.terrain, front_.get(), rays, traced);
+  const std::vector<std::optional<Hit>> hits =
+      trace_rays(*scene_.terrain, front_.get(), rays, traced);
   RenderCounts mine = count_of(hits, traced);
   mine.trace_s = stopwatch.lap();
   std::vector<Sample> samples;
-  for (const ShadedRay& shaded : shade(scene_, rays, hits, mine.shadow_rays))
+  for (const ShadedRay& shaded : shade(scene_, pixel_width_, rays, hits, mine.shadow_rays))
     samples.push_back({shaded.color, shaded.distance_m});
   mine.shade_s = stopwatch.lap();
   counts += mine;

@@ -68,6 +68,7 @@ class Sampler {
   const Scene& scene_;
   const Camera& camera_;
   const RenderOptions& options_;
+  PixelWidth pixel_width_;
   std::unique_ptr<const EyeFront> front_;
   double progress_from_ = 0;
   double progress_to_ = 1;

@@ -3,10 +3,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "render/color_ramp.h"
+#include "render/ground_detail.h"
+#include "terrain/sky_view.h"
 #include "terrain/terrain.h"
 
 namespace terrview {
@@ -48,6 +51,9 @@ struct Scene {
   std::shared_ptr<const Terrain> terrain;
   ColorRamp tints = altitude_tints();
   NormalKind normals = NormalKind::smooth;
+  std::shared_ptr<const GroundDetail> detail;  // none: every pixel sees a point of the ground
+  // How much of the sky each layer's posts see, which dims the ambient light; none: all of it.
+  std::shared_ptr<const std::vector<SkyView>> sky_views;
   Light light;
   SkyGradient sky;
   Air air;

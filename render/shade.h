@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "render/camera.h"
 #include "render/scene.h"
 
 namespace terrview {
@@ -24,9 +25,19 @@ struct ShadedRay {
   glm::vec3 normal{0, 0, 0};  // as Terrain's normals; 0 where nothing is hit
 };
 
+// How wide a pixel is on what its ray meets.
+struct PixelWidth {
+  double rad = 0;  // of rays that part
+  double m = 0;    // of parallel rays
+
+  [[nodiscard]] double at(double distance_m) const { return m + rad * distance_m; }
+};
+[[nodiscard]] PixelWidth pixel_width(const Camera& camera);
+
 // The colours of the rays of a block, whose hits are given, all its shadow rays together. Adds the
 // shadow rays to `shadow_rays`.
-[[nodiscard]] std::vector<ShadedRay> shade(const Scene& scene, std::span<const Ray> rays,
+[[nodiscard]] std::vector<ShadedRay> shade(const Scene& scene, const PixelWidth& pixel,
+                                           std::span<const Ray> rays,
                                            std::span<const std::optional<Hit>> hits,
                                            std::int64_t& shadow_rays);
 

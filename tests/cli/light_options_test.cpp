@@ -78,6 +78,15 @@ TEST_F(LightOptionsOfView, SoftShadowsAreAChoice) {
             pixels(low + " --soft-shadows --threads 3"));
 }
 
+TEST_F(LightOptionsOfView, SkyViewAndLevelOfDetailAreChoices) {
+  EXPECT_NE(pixels("--sky-view 16"), pixels(""));
+  EXPECT_EQ(pixels("--sky-view 16 --threads 1"), pixels("--sky-view 16 --threads 3"));
+  expect_refused(run(words("hills.tif --eye 48,7,900 --sky-view 2")), {"--sky-view", "8 to 128"});
+  const std::string far = "--eye 48,7,40000 --pitch -90 --fov 20 --size 12x12 --samples 1 ";
+  EXPECT_NE(pixels(far), pixels(far + "--lod off"));
+  EXPECT_EQ(pixels(far), pixels(far + "--lod on"));
+}
+
 TEST_F(LightOptionsOfView, TimeNeedsAPlaceOnTheEarth) {
   expect_refused(run(words("plain.asc --eye-xy 100,100,+2 --time 2026-06-21T15:00Z")),
                  {"--time", "--sun AZ,EL", "--a-srs"});

@@ -1,0 +1,26 @@
+// What the studies share: lines of text, and processor time.
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <ostream>
+
+namespace terrview {
+
+template <class... Values>
+void print_line(std::ostream& out, const char* pattern, Values... values) {
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(), pattern, values...);
+  out << text.data() << '\n';
+  out.flush();
+}
+
+// Of the calling thread.
+inline double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace terrview

@@ -1,0 +1,34 @@
+// Level of detail: what the ground looks like where a pixel covers more than a post.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "terrain/mean_heights.h"
+
+namespace terrview {
+
+class GroundDetail {
+ public:
+  explicit GroundDetail(const Terrain& terrain);
+
+  struct Ground {
+    glm::dvec3 normal;
+    double height_m;  // before z_scale
+  };
+
+  // What a pixel `width_m` wide sees of the ground at a hit of `ray`: `exact` where it covers no
+  // more than a post, the mean over its footprint where it does. A footprint seen at a slant counts
+  // by its area.
+  [[nodiscard]] Ground seen(const Terrain& terrain, const Ray& ray, const Hit& hit, double width_m,
+                            const Ground& exact) const;
+
+ private:
+  struct Layer {
+    MeanHeights means;
+    double post_m;
+  };
+  std::vector<Layer> layers_;
+};
+
+}  // namespace terrview
