@@ -58,11 +58,16 @@ class QuantileTable {
 // Draws keyed by (seed, level, column, row).
 class KeyedRandom {
  public:
-  KeyedRandom(std::uint64_t seed, Law law) : seed_(mix_bits(seed)), table_(&quantile_table(law)) {}
+  static constexpr int kLevels = 32;
 
-  // What the keys of a row have in common.
+  KeyedRandom(std::uint64_t seed, Law law) : table_(&quantile_table(law)) {
+    for (std::uint64_t level = 0; level < kLevels; ++level)
+      level_keys_[level] = mix_bits(mix_bits(seed) + kStep * (level + 1));
+  }
+
+  // What the keys of a row have in common; levels are below kLevels.
   [[nodiscard]] std::uint64_t row_key(int level, std::int64_t row) const {
-    return mix_bits(mix_bits(seed_ + kStep * (static_cast<std::uint64_t>(level) + 1)) +
+    return mix_bits(level_keys_[static_cast<std::size_t>(level)] +
                     kStep * static_cast<std::uint64_t>(row));
   }
   // 64 bits, enough for two independent draws.
@@ -79,7 +84,7 @@ class KeyedRandom {
  private:
   static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15U;
 
-  std::uint64_t seed_;
+  std::array<std::uint64_t, kLevels> level_keys_{};
   const QuantileTable* table_;
 };
 
