@@ -8,6 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/parse.h"
+#include "cli/sky_view.h"
 #include "render/image_file.h"
 #include "render/parallel.h"
 #include "render/write_file.h"
@@ -21,6 +22,8 @@ constexpr int kLargestSide_px = 1 << 16;
 
 struct SkyCommand {
   FlatSkyOptions flat;
+  SkyView view;
+  bool is_flat = true;
   double clouds = 0.35;
   std::string ramp = "sky";
   std::optional<double> noise;
@@ -79,10 +82,14 @@ void add_output_options(CLI::App& app, SkyCommand& options) {
 
 SkyCommand parse_sky(const std::vector<std::string>& args) {
   SkyCommand options;
+  options.flat.field.kind = FieldKind::smooth;
+  options.flat.field.levels = {9, 9};
+  options.flat.field.h = {0.6};
   CommandLine app("A random field as a sky, wood or marble", "terrview sky");
   add_field_options(app, options.flat.field);
   add_flat_options(app, options);
   add_color_options(app, options);
+  add_sky_view_options(app, options.view, options.is_flat);
   add_output_options(app, options);
   app.parse_args(args);
   const glm::ivec2 size = options.flat.size_px;
@@ -92,6 +99,17 @@ SkyCommand parse_sky(const std::vector<std::string>& args) {
   options.flat.table = find_color_table(options.ramp, options.clouds);
   if (options.noise) options.flat.table.noise = *options.noise;
   return options;
+}
+
+Image paint_in_perspective(SkyCommand options) {
+  const FieldOptions& field = options.flat.field;
+  if (field.levels.x != field.levels.y)
+    throw InputError("--levels: in perspective both axes have the same: give one number");
+  options.view.camera.size_px = options.flat.size_px;
+  options.view.sky.clouds.emplace();
+  options.view.sky.clouds->field = field;
+  options.view.sky.clouds->table = options.flat.table;
+  return paint_sky_view(options.view, options.threads);
 }
 
 Image paint_flat(const SkyCommand& options) {
@@ -118,7 +136,7 @@ int run_sky(const std::vector<std::string>& args) {
     });
     ramp.commit();
   }
-  const Image image = paint_flat(options);
+  const Image image = options.is_flat ? paint_flat(options) : paint_in_perspective(options);
   picture.fill([&](const std::string& path) { write_image(path, image, {}); });
   picture.commit();
   if (!options.quiet) std::fprintf(stderr, "wrote %s\n", picture.path().c_str());
