@@ -8,6 +8,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/parse.h"
+#include "render/painted_sky.h"
 #include "render/parallel.h"
 #include "sky/sun.h"
 #include "terrain/error.h"
@@ -98,19 +99,6 @@ void add_sky_view_options(CLI::App& app, SkyView& view, bool& flat) {
   add_camera_options(app, view, flat);
   add_layer_options(app, view);
   add_light_options(app, view);
-}
-
-SkyCamera sky_camera(const Camera& camera) {
-  const CameraOptions& options = camera.options();
-  SkyCamera sky;
-  sky.size_px = options.size_px;
-  sky.cylindrical = options.projection == Projection::cylindrical;
-  sky.focal_px = sky.cylindrical ? options.size_px.x / options.fov_rad
-                                 : options.size_px.x / 2.0 / std::tan(options.fov_rad / 2);
-  sky.forward = camera.forward();
-  sky.right = camera.right();
-  sky.up = camera.up();
-  return sky;
 }
 
 Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads) {

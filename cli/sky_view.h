@@ -23,9 +23,6 @@ struct SkyView {
 // has. `flat` becomes false with a --projection.
 void add_sky_view_options(CLI::App& app, SkyView& view, bool& flat);
 
-// The camera as the sky sees it.
-[[nodiscard]] SkyCamera sky_camera(const Camera& camera);
-
 // The whole sky of a camera; the same bytes for any number of threads.
 [[nodiscard]] Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads);
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cli/view_light.h"
+#include "cli/view_sky.h"
 #include "ingest/color_ramp_file.h"
 #include "terrain/error.h"
 
@@ -157,7 +158,9 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
   Scene scene = make_scene(options, frame, sun);
-  return {std::move(frame), resolved, sun, make_camera(resolved), std::move(scene)};
+  const Camera camera = make_camera(resolved);
+  scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
+  return {std::move(frame), resolved, sun, camera, std::move(scene)};
 }
 
 }  // namespace terrview

@@ -44,12 +44,15 @@ inline constexpr double kExtinctionTimesVisibility = 3.912;
 
 enum class NormalKind { smooth, facet };
 
+class PaintedSky;
+
 struct Scene {
   std::shared_ptr<const Terrain> terrain;
   ColorRamp tints = altitude_tints();
   NormalKind normals = NormalKind::smooth;
   Light light;
   SkyGradient sky;
+  std::shared_ptr<const PaintedSky> painted_sky;  // none: the plain one above
   Air air;
 };
 

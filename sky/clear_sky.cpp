@@ -17,7 +17,7 @@ constexpr double kDegrees = 180 / kPi;
 constexpr double kLeastUp = 0.01;                       // Perez's formula has 1 / up
 constexpr double kLowestModelSun_rad = 0.5 / kDegrees;  // lower ones are twilight's
 constexpr double kTwilightFrom_deg = 9;
-constexpr double kWhite_kcd = 20;  // this luminance is 1, before compression
+constexpr double kWhite_kcd = 15;  // this luminance is 1, before compression
 constexpr std::size_t kSteps = 1024;
 
 struct Perez {

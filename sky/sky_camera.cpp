@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 namespace terrview {
 
 glm::dvec3 SkyCamera::direction(const glm::dvec2& image_px) const {
@@ -10,6 +12,17 @@ glm::dvec3 SkyCamera::direction(const glm::dvec2& image_px) const {
   if (!cylindrical) return forward * focal_px + right * across_px + up * up_px;
   const double turn_rad = across_px / focal_px;
   return (forward * std::cos(turn_rad) + right * std::sin(turn_rad)) * focal_px + up * up_px;
+}
+
+glm::dvec2 SkyCamera::image_of(const glm::dvec3& direction) const {
+  const double ahead = glm::dot(direction, forward);
+  const double aside = glm::dot(direction, right);
+  const double above = glm::dot(direction, up);
+  const glm::dvec2 middle_px = glm::dvec2(size_px) / 2.0;
+  if (!cylindrical)
+    return {middle_px.x + focal_px * aside / ahead, middle_px.y - focal_px * above / ahead};
+  return {middle_px.x + focal_px * std::atan2(aside, ahead),
+          middle_px.y - focal_px * above / std::hypot(ahead, aside)};
 }
 
 SkyCamera SkyCamera::facing(double column_px) const {

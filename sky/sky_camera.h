@@ -17,6 +17,9 @@ struct SkyCamera {
   // Through a point of the image, row 0 at the top; not of unit length.
   [[nodiscard]] glm::dvec3 direction(const glm::dvec2& image_px) const;
 
+  // Where a direction shows; behind a perspective view, where its opposite would.
+  [[nodiscard]] glm::dvec2 image_of(const glm::dvec3& direction) const;
+
   // The perspective view that shows the same near a column: this one itself, but for cylinders.
   [[nodiscard]] SkyCamera facing(double column_px) const;
 };

@@ -22,7 +22,8 @@ struct Clouds {
   FieldOptions field;
   CloudLayer layer;
   ColorTable table;
-  double extinction_per_m = 2e-5;  // of the air before them
+  // Of the air before them: 0.4 of what a visibility of 60 km is on the ground, for it is thinner.
+  double extinction_per_m = 2.6e-5;
 };
 
 struct SkyOptions {

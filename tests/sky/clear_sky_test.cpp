@@ -57,7 +57,7 @@ TEST(ClearSky, IsTheFormulaWhereTheDayIsHigh) {
     // Blue over green, undone of the balance, and the compressed luminance.
     const glm::vec3 color = sky.color(direction);
     const float Y = luminance(color * glm::vec3(1.0898F, 0.9851F, 0.7988F));
-    EXPECT_NEAR(Y, 1 - std::exp(-1.25 * xyY.z / 20), 2e-3) << azimuth << ' ' << elevation;
+    EXPECT_NEAR(Y, 1 - std::exp(-1.25 * xyY.z / 15), 2e-3) << azimuth << ' ' << elevation;
   }
 }
 
