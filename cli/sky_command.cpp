@@ -83,7 +83,7 @@ void add_output_options(CLI::App& app, SkyCommand& options) {
 SkyCommand parse_sky(const std::vector<std::string>& args) {
   SkyCommand options;
   options.flat.field.kind = FieldKind::smooth;
-  options.flat.field.levels = {9, 9};
+  options.flat.field.levels = {12, 12};
   options.flat.field.h = {0.6};
   CommandLine app("A random field as a sky, wood or marble", "terrview sky");
   add_field_options(app, options.flat.field);

@@ -71,7 +71,7 @@ std::shared_ptr<const PaintedSky> paint_view_sky(const ViewSkyOptions& options,
     Clouds clouds;
     clouds.field.seed = options.seed;
     clouds.field.kind = FieldKind::smooth;
-    clouds.field.levels = {9, 9};
+    clouds.field.levels = {12, 12};
     clouds.field.h = {0.6};
     clouds.layer = make_layer(options, frame);
     clouds.table = sky_table(options.clouds);

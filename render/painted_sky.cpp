@@ -37,8 +37,7 @@ PaintedSky::PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_s
   if (cloud_shadows && sky.clouds) shadows_.emplace(*sky.clouds, sky.clear.towards_sun);
   for (std::size_t i = 0; i <= kAzimuths; ++i) {
     const double azimuth_rad = 2 * std::numbers::pi * static_cast<double>(i) / kAzimuths;
-    horizon_.push_back(
-        painter_.clear_sky().color({std::sin(azimuth_rad), std::cos(azimuth_rad), 0}));
+    horizon_.push_back(painter_.background({std::sin(azimuth_rad), std::cos(azimuth_rad), 0}));
   }
 }
 

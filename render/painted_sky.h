@@ -31,7 +31,7 @@ class PaintedSky {
   // sky in orthographic views.
   [[nodiscard]] glm::vec3 color(const glm::dvec3& direction) const;
 
-  // The clear sky's at the horizon under or over a direction, without the sun and its halo.
+  // The background's at the horizon under or over a direction, without the sun and its halo.
   [[nodiscard]] glm::vec3 horizon_color(const glm::dvec3& direction) const;
 
   // The share of the sun that clouds let through to a point of the view frame: 1 without shadows.

@@ -198,7 +198,8 @@ glm::vec3 ClearSky::with_twilight(const glm::vec3& day, const glm::dvec3& direct
       glm::mix(day, blue, static_cast<float>(0.95 * smooth(kTwilightFrom_deg, 0, sun_deg)));
   // The glow: yellow at the horizon, redder above it and the lower the sun.
   const double strength = smooth(kTwilightFrom_deg, 0, sun_deg) * (1 - smooth(-5, -16, sun_deg));
-  const double height_deg = 4 + 11 * near_sun + 0.4 * std::max(0.0, sun_deg);
+  const double height_deg =
+      (4 + 11 * near_sun + 0.4 * std::max(0.0, sun_deg)) * (0.4 + 0.6 * smooth(-9, 1, sun_deg));
   const double band = std::exp(-std::pow(up_deg / height_deg, 1.3));
   const auto glow = static_cast<float>(strength * band * (0.10 + 0.90 * near_sun));
   const auto red = static_cast<float>(smooth(-1, 13, up_deg - 1.2 * sun_deg));

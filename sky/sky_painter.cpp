@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -20,6 +21,12 @@ constexpr double kHalo_rad = 0.035;
 float smooth_step(float share) {
   share = std::clamp(share, 0.0F, 1.0F);
   return share * share * (3 - 2 * share);
+}
+
+// The share of the sky that is more cloud than clear, the field's values being normal.
+double mean_cover(const ColorTable& table) {
+  const double middle = (table.clear_until + table.cloud_from) / 2;
+  return std::erfc((middle - table.window.middle) / table.window.width / std::numbers::sqrt2) / 2;
 }
 
 // The layer as seen from a place some way towards the sun.
@@ -48,6 +55,7 @@ SkyPainter::SkyPainter(SkyOptions options, const SkyCamera& camera)
   sunward_.emplace(*field_, sunward(clouds.layer, options_.clear.towards_sun), camera,
                    options_.leaf_px * kSunwardLeaf_px);
   colors_.emplace(clouds.table);
+  veil_ = 0.75F * static_cast<float>(std::pow(mean_cover(clouds.table), 2));
   addresses_per_unit_ =
       static_cast<float>(clouds.table.window.width / field_->expected_deviation());
 }
@@ -77,7 +85,14 @@ glm::vec3 SkyPainter::color(const glm::ivec2& pixel) const {
 
 glm::vec3 SkyPainter::clear_color(const glm::dvec3& direction) const {
   const double cosine = glm::dot(direction, options_.clear.towards_sun);
-  return clear_.color(direction) + sun_and_halo(std::acos(std::clamp(cosine, -1.0, 1.0)));
+  return background(direction) + sun_and_halo(std::acos(std::clamp(cosine, -1.0, 1.0)));
+}
+
+glm::vec3 SkyPainter::background(const glm::dvec3& direction) const {
+  const glm::vec3 clear = clear_.color(direction);
+  if (veil_ == 0) return clear;
+  const float luminance = glm::dot(clear, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+  return glm::mix(clear, glm::vec3(0.85F * luminance), veil_);
 }
 
 glm::vec3 SkyPainter::sun_and_halo(double angle_rad) const {
@@ -102,7 +117,7 @@ glm::vec3 SkyPainter::cloud_color(float address, float lit, double angle_to_sun_
 glm::vec3 SkyPainter::composed(const glm::ivec2& pixel, const CloudSample& density,
                                const CloudSample& towards_sun) const {
   const glm::dvec3 direction = glm::normalize(camera_.direction(glm::dvec2(pixel) + 0.5));
-  const glm::vec3 sky = clear_.color(direction);
+  const glm::vec3 sky = background(direction);
   const double cosine = glm::dot(direction, options_.clear.towards_sun);
   const double angle_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
   if (std::isnan(density.value)) return sky + sun_and_halo(angle_rad);

@@ -47,10 +47,12 @@ class SkyPainter {
   // One pixel by itself: the same, bit for bit.
   [[nodiscard]] glm::vec3 color(const glm::ivec2& pixel) const;
 
-  // Without clouds: what a direction of unit length shows.
+  // Between clouds: what a direction of unit length shows.
   [[nodiscard]] glm::vec3 clear_color(const glm::dvec3& direction) const;
 
-  [[nodiscard]] const ClearSky& clear_sky() const { return clear_; }
+  // The same without the sun and its halo: the clear sky's colour, greyer the more clouds there
+  // are, for the light between them is theirs too.
+  [[nodiscard]] glm::vec3 background(const glm::dvec3& direction) const;
 
  private:
   // `density` is the field's sample at the pixel, `towards_sun` one some way towards the sun.
@@ -72,6 +74,7 @@ class SkyPainter {
   std::optional<CloudPainter> sunward_;
   std::optional<BakedTable> colors_;
   float addresses_per_unit_ = 0;
+  float veil_ = 0;  // the share of grey in the background
 };
 
 }  // namespace terrview

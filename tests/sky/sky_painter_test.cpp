@@ -135,7 +135,6 @@ TEST(SkyPainter, ASetSunShowsNoDisc) {
   EXPECT_LT(glm::distance(at_the_sun, beside), 0.05F);
 }
 
-// How a picture under full cloud varies with the sun to the right instead of to the left.
 TEST(SkyPainter, CloudsAreLitFromTheSunsSide) {
   const SkyCamera camera = camera_of(40);
   SkyOptions options = options_of(0.5);
@@ -164,18 +163,28 @@ TEST(SkyPainter, CloudsAreLitFromTheSunsSide) {
   EXPECT_GT(agreement / count, 0.7);
 }
 
+TEST(SkyPainter, TheBackgroundGreysUnderClouds) {
+  const SkyCamera camera = camera_of(20);
+  const auto saturation = [&](double clouds) {
+    const glm::vec3 color = SkyPainter(options_of(clouds), camera).background({0, -1, 0});
+    return std::max({color.r, color.g, color.b}) / std::min({color.r, color.g, color.b}) - 1;
+  };
+  EXPECT_LT(saturation(1), 0.4F * saturation(0));
+  EXPECT_GT(saturation(0.3), 0.8F * saturation(0));
+}
+
 TEST(SkyPainter, FarCloudsMeltIntoTheSkyBehindThem) {
   const SkyCamera camera = camera_of(2);
   SkyOptions options = options_of(0.6);
   options.halo = 0;
   const SkyPainter cloudy(options, camera);
-  options.clouds.reset();
-  const SkyPainter clear(options, camera);
+  options.sun_radius_rad = 0;
   const auto mean_difference = [&](int row) {
     double sum = 0;
     for (int column = 0; column < 160; ++column)
-      sum += static_cast<double>(
-          glm::distance(cloudy.color({column, row}), clear.color({column, row})));
+      sum += static_cast<double>(glm::distance(
+          cloudy.color({column, row}),
+          cloudy.background(glm::normalize(camera.direction({column + 0.5, row + 0.5})))));
     return sum / 160;
   };
   EXPECT_LT(mean_difference(66), 0.1 * mean_difference(5));
