@@ -55,7 +55,9 @@ SkyPainter::SkyPainter(SkyOptions options, const SkyCamera& camera)
   sunward_.emplace(*field_, sunward(clouds.layer, options_.clear.towards_sun), camera,
                    options_.leaf_px * kSunwardLeaf_px);
   colors_.emplace(clouds.table);
-  veil_ = 0.75F * static_cast<float>(std::pow(mean_cover(clouds.table), 2));
+  // Above the clouds the sky is clear.
+  if (clouds.layer.height_m > 0)
+    veil_ = 0.75F * static_cast<float>(std::pow(mean_cover(clouds.table), 2));
   addresses_per_unit_ =
       static_cast<float>(clouds.table.window.width / field_->expected_deviation());
 }
