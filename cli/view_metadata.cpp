@@ -42,6 +42,21 @@ Json air_json(const AirOptions& options) {
   return json;
 }
 
+Json sky_json(const ViewSkyOptions& sky) {
+  if (sky.none) return "none";
+  Json json;
+  json["model"] = sky.model == SkyModel::gradient ? "gradient" : "preetham";
+  json["turbidity"] = sky.turbidity;
+  json["seed"] = sky.seed;
+  json["clouds"] = sky.clouds;
+  if (sky.cloud_base)
+    json["cloud_base"] = {{"height_m", sky.cloud_base->height_m},
+                          {"above_eye", sky.cloud_base->above_ground}};
+  json["cloud_cell_m"] = sky.cloud_cell_m;
+  json["cloud_shadows"] = sky.cloud_shadows;
+  return json;
+}
+
 Json samples_json(const SamplingOptions& options) {
   if (options.preview) return {{"preview", options.contrast}};
   if (options.samples > 0) return options.samples;
@@ -80,6 +95,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["shadows"] = !casts_shadows(light) ? "none" : light.soft_shadows ? "soft" : "hard";
   json["sky_view"] = light.sky_azimuths;
   json["air"] = air_json(options.air);
+  json["sky"] = sky_json(options.sky);
   json["samples"] = samples_json(options.sampling);
   json["lod"] = options.sampling.detail;
   json["surface"] = name_of(options.surface);

@@ -1,6 +1,7 @@
 // The options of `terrview view`: docs/cli.md, one field each.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "ingest/view_frame.h"
 #include "render/camera.h"
 #include "render/scene.h"
+#include "sky/clear_sky.h"
 #include "sky/sun.h"
 
 namespace CLI {
@@ -37,6 +39,17 @@ struct AirOptions {
   std::optional<glm::vec3> color;
   std::optional<glm::vec3> sunward;
   double haze_px = 0;  // at the distance of the visibility
+};
+
+struct ViewSkyOptions {
+  bool none = false;  // the plain gradient
+  std::uint64_t seed = 1;
+  double clouds = 0.35;
+  std::optional<HeightText> cloud_base;  // none: 2000 m above the eye
+  double cloud_cell_m = 8000;
+  bool cloud_shadows = false;
+  SkyModel model = SkyModel::preetham;
+  double turbidity = 2.5;
 };
 
 struct SamplingOptions {
@@ -69,6 +82,7 @@ struct ViewOptions {
   NormalKind normals = NormalKind::smooth;
   LightOptions light;
   AirOptions air;
+  ViewSkyOptions sky;
   SamplingOptions sampling;
   std::string colors;
   int threads = 0;

@@ -10,6 +10,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/view_light.h"
+#include "cli/view_sky.h"
 #include "ingest/color_ramp_file.h"
 #include "render/sky_light.h"
 #include "terrain/error.h"
@@ -165,7 +166,9 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
   Scene scene = make_scene(options, frame, sun);
-  return {std::move(frame), resolved, sun, make_camera(resolved), std::move(scene)};
+  const Camera camera = make_camera(resolved);
+  scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
+  return {std::move(frame), resolved, sun, camera, std::move(scene)};
 }
 
 }  // namespace terrview

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/painted_sky.h"
+
 namespace terrview {
 namespace {
 
@@ -26,12 +28,14 @@ float transmission(const Air& air, double distance_m) {
 glm::vec3 air_color(const Scene& scene, const glm::dvec3& direction) {
   const Air& air = scene.air;
   const bool of_the_sky = !air.color && !air.sunward;
+  if (of_the_sky && scene.painted_sky) return scene.painted_sky->horizon_color(direction);
   return with_sunward(air.color.value_or(scene.sky.horizon),
                       of_the_sky ? scene.sky.sunward : air.sunward, scene.light, direction);
 }
 
 glm::vec3 background_color(const Scene& scene, const glm::dvec3& direction) {
   if (direction.z < 0) return air_color(scene, direction);
+  if (scene.painted_sky) return scene.painted_sky->color(direction);
   const SkyGradient& sky = scene.sky;
   const glm::vec3 horizon = with_sunward(sky.horizon, sky.sunward, scene.light, direction);
   // Steep at the horizon, as the air's depth is.

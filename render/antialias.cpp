@@ -29,6 +29,8 @@ Need need_of(const Raster<Sample>& base, const Image& seen, glm::ivec2 pixel, fl
       const Sample& other = base.at(column, row);
       if (!other.traced()) continue;
       if (depth_steps(here, other)) return Need::many;
+      // The sky is smooth within a pixel.
+      if (!here.ground() && !other.ground()) continue;
       if (contrast_between(seen.at(pixel.x, pixel.y), seen.at(column, row)) > contrast)
         need = Need::few;
     }

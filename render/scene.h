@@ -47,6 +47,8 @@ inline constexpr double kExtinctionTimesVisibility = 3.912;
 
 enum class NormalKind { smooth, facet };
 
+class PaintedSky;
+
 struct Scene {
   std::shared_ptr<const Terrain> terrain;
   ColorRamp tints = altitude_tints();
@@ -56,6 +58,7 @@ struct Scene {
   std::shared_ptr<const std::vector<SkyView>> sky_views;
   Light light;
   SkyGradient sky;
+  std::shared_ptr<const PaintedSky> painted_sky;  // none: the plain one above
   Air air;
 };
 

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/air.h"
+#include "render/painted_sky.h"
 #include "render/shadows.h"
 #include "terrain/view_transform.h"
 
@@ -50,6 +51,10 @@ void cast_shadows(const Scene& scene, std::span<const std::optional<Hit>> hits,
   }
   const std::vector<float> shares = sun_shares(*scene.terrain, scene.light, points, shadow_rays);
   for (std::size_t i = 0; i < indices.size(); ++i) facings[indices[i]] *= shares[i];
+  if (!scene.painted_sky) return;
+  for (const std::size_t i : indices) {
+    if (facings[i] > 0) facings[i] *= scene.painted_sky->sun_share(hits[i]->position_m);
+  }
 }
 
 glm::vec3 sky_light(const Scene& scene, const Hit& hit) {

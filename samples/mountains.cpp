@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "samples/erosion.h"
+#include "sky/erosion.h"
 
 namespace terrview {
 namespace {
@@ -15,15 +15,15 @@ using Line = std::vector<double>;
 
 // A crest in the west, a valley that opens to the south, a chain with a lone summit in the east.
 // North is up.
-const Relief kDrawnRelief_m{{750, 960, 1100, 990, 800, 690, 710, 630, 470},
-                            {800, 1060, 1270, 1110, 840, 630, 750, 690, 460},
-                            {870, 990, 1200, 1040, 710, 550, 800, 770, 430},
-                            {830, 1040, 1320, 960, 590, 590, 910, 750, 390},
-                            {770, 990, 1160, 840, 500, 690, 990, 690, 370},
-                            {730, 1100, 1230, 750, 450, 650, 1290, 800, 350},
-                            {690, 920, 990, 630, 410, 510, 880, 610, 330},
-                            {610, 800, 840, 550, 390, 390, 550, 470, 310},
-                            {510, 630, 650, 470, 370, 350, 370, 340, 300}};
+const HeightRows kDrawnRelief_m{{750, 960, 1100, 990, 800, 690, 710, 630, 470},
+                                {800, 1060, 1270, 1110, 840, 630, 750, 690, 460},
+                                {870, 990, 1200, 1040, 710, 550, 800, 770, 430},
+                                {830, 1040, 1320, 960, 590, 590, 910, 750, 390},
+                                {770, 990, 1160, 840, 500, 690, 990, 690, 370},
+                                {730, 1100, 1230, 750, 450, 650, 1290, 800, 350},
+                                {690, 920, 990, 630, 410, 510, 880, 610, 330},
+                                {610, 800, 840, 550, 390, 390, 550, 470, 310},
+                                {510, 630, 650, 470, 370, 350, 370, 340, 300}};
 
 constexpr double kFirstDisplacement_m = 200;
 constexpr double kDecay = 0.46;   // 2^-h for h = 1.1: old, rounded mountains
@@ -63,8 +63,8 @@ Line with_midpoints(const Line& coarse) {
 }
 
 // Every row with its midpoints, transposed: done twice, it refines both ways.
-Relief refined_and_transposed(const Relief& coarse) {
-  Relief fine(2 * coarse[0].size() - 1, Line(coarse.size()));
+HeightRows refined_and_transposed(const HeightRows& coarse) {
+  HeightRows fine(2 * coarse[0].size() - 1, Line(coarse.size()));
   for (std::size_t row = 0; row < coarse.size(); ++row) {
     const Line line = with_midpoints(coarse[row]);
     for (std::size_t column = 0; column < line.size(); ++column) fine[column][row] = line[column];
@@ -72,7 +72,7 @@ Relief refined_and_transposed(const Relief& coarse) {
   return fine;
 }
 
-void displace(Relief& relief, std::size_t level, double displacement_m) {
+void displace(HeightRows& relief, std::size_t level, double displacement_m) {
   for (std::size_t row = 1; row + 1 < relief.size(); ++row)
     for (std::size_t column = 1; column + 1 < relief.size(); ++column) {
       double& height_m = relief[row][column];
@@ -84,7 +84,7 @@ void displace(Relief& relief, std::size_t level, double displacement_m) {
 }  // namespace
 
 HeightGrid make_mountains() {
-  Relief relief = kDrawnRelief_m;
+  HeightRows relief = kDrawnRelief_m;
   double displacement_m = kFirstDisplacement_m;
   for (std::size_t level = 1; relief.size() < kSampleSize_posts; ++level) {
     relief = refined_and_transposed(refined_and_transposed(relief));

@@ -105,7 +105,7 @@ TEST_F(Output, ThatTheDiskCannotHoldFailsAndLeavesNothing) {
     // The small picture beside full layers fits.
     const FullDisk disk(line.find("--layers") != std::string::npos ? 12000 : 1000);
     const Finished finished =
-        run(words("hills.tif -q --eye 47.985,6.99,900 --size 160x120 " + line));
+        run(words("hills.tif -q --no-sky --eye 47.985,6.99,900 --size 160x120 " + line));
     EXPECT_EQ(finished.exit_code, 1);
     EXPECT_EQ(finished.out, "");
     EXPECT_TRUE(says(finished.err, {"terrview: 'full.", "writing failed"}));

@@ -5,7 +5,7 @@
 
 namespace terrview {
 
-using Relief = std::vector<std::vector<double>>;  // rows of posts, metres
+using HeightRows = std::vector<std::vector<double>>;  // rows of posts, metres
 
 struct ErosionOptions {
   int steps = 10;
@@ -17,6 +17,6 @@ struct ErosionOptions {
 // drained area, solved implicitly downstream to upstream (Braun & Willett, Geomorphology 180-181,
 // 2013). Water flows along the tree of a priority flood (Barnes, Lehman & Mulla, Computers &
 // Geosciences 62, 2014), so no hollow stops it. The same result on every machine.
-void erode(Relief& relief, const ErosionOptions& options = {});
+void erode(HeightRows& relief, const ErosionOptions& options = {});
 
 }  // namespace terrview

@@ -1,4 +1,4 @@
-#include "samples/erosion.h"
+#include "sky/erosion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Stream {
 };
 
 // Every post, each after the one it flows into.
-std::vector<Stream> streams_upwards(const Relief& relief) {
+std::vector<Stream> streams_upwards(const HeightRows& relief) {
   const std::size_t rows = relief.size();
   const std::size_t columns = relief[0].size();
   std::vector<std::vector<bool>> reached(rows, std::vector<bool>(columns, false));
@@ -57,8 +57,8 @@ std::vector<double> drained_posts(const std::vector<Stream>& streams) {
   return drained;
 }
 
-void creep(Relief& relief, double share) {
-  const Relief before_m = relief;
+void creep(HeightRows& relief, double share) {
+  const HeightRows before_m = relief;
   for (std::size_t row = 1; row + 1 < relief.size(); ++row)
     for (std::size_t column = 1; column + 1 < relief[row].size(); ++column) {
       const double mean_m = (before_m[row - 1][column] + before_m[row + 1][column] +
@@ -70,7 +70,7 @@ void creep(Relief& relief, double share) {
 
 }  // namespace
 
-void erode(Relief& relief, const ErosionOptions& options) {
+void erode(HeightRows& relief, const ErosionOptions& options) {
   for (int step = 0; step < options.steps; ++step) {
     const std::vector<Stream> streams = streams_upwards(relief);
     const std::vector<double> drained = drained_posts(streams);

@@ -1,0 +1,26 @@
+// The options of a random field: shared by the commands that make one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "sky/random_field.h"
+
+namespace terrview {
+
+// H, or H and from which division on another one holds: "0,8:0.3" is 0 for divisions 0 to 7, then
+// 0.3. Throws InputError.
+[[nodiscard]] std::vector<double> parse_h(const std::string& text);
+
+// N, or NX:NY. Throws InputError.
+[[nodiscard]] glm::ivec2 parse_levels(const std::string& text);
+
+// A whole number of 64 bits. Throws InputError.
+[[nodiscard]] std::uint64_t parse_seed(const std::string& option, const std::string& text);
+
+// --seed, --h, --levels, --field and --law.
+void add_field_options(CLI::App& app, FieldOptions& options);
+
+}  // namespace terrview

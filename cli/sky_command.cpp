@@ -1,0 +1,146 @@
+#include "cli/sky_command.h"
+
+#include <cstdio>
+
+#include "cli/color_table_file.h"
+#include "cli/command_line.h"
+#include "cli/field_arguments.h"
+#include "cli/interrupt.h"
+#include "cli/output_file.h"
+#include "cli/parse.h"
+#include "cli/sky_view.h"
+#include "render/image_file.h"
+#include "render/parallel.h"
+#include "render/write_file.h"
+#include "sky/flat_sky.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+constexpr int kLargestSide_px = 1 << 16;
+
+struct SkyCommand {
+  FlatSkyOptions flat;
+  SkyView view;
+  bool is_flat = true;
+  double clouds = 0.35;
+  std::string ramp = "sky";
+  std::optional<double> noise;
+  std::string output = "sky.png";
+  std::string ramp_output;
+  bool overwrite = false;
+  bool quiet = false;
+  int threads = 0;
+};
+
+// Two numbers, or one for both.
+glm::dvec2 parse_pair(const std::string& option, const std::string& text) {
+  const auto numbers = parse_numbers(option, text, 1, 2);
+  return {numbers.front(), numbers.back()};
+}
+
+void add_flat_options(CLI::App& app, SkyCommand& options) {
+  app.add_option_function<std::string>(
+         "--size", [&](const std::string& text) { options.flat.size_px = parse_size(text); },
+         "Pixels (default 1280x720)")
+      ->type_name("WxH");
+  app.add_option_function<std::string>(
+         "--cells",
+         [&](const std::string& text) {
+           options.flat.cells = parse_pair("--cells", text);
+           if (!(options.flat.cells.x > 0 && options.flat.cells.y > 0))
+             throw InputError("--cells " + text + ": give numbers above 0");
+         },
+         "Root cells across the picture (default 1)")
+      ->type_name("X[,Y]");
+  app.add_option_function<std::string>(
+         "--origin",
+         [&](const std::string& text) { options.flat.origin = parse_pair("--origin", text); },
+         "Pictures east and north of the first, which this one continues")
+      ->type_name("X,Y");
+}
+
+void add_color_options(CLI::App& app, SkyCommand& options) {
+  app.add_option("--clouds", options.clouds, "0 blue to 1 grey (default 0.35)")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--ramp", options.ramp, "sky, sunset, wood, marble, or a JSON file");
+  app.add_option_function<double>(
+         "--noise", [&](double noise) { options.noise = noise; },
+         "White noise: the standard deviation, in table addresses")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--write-ramp", options.ramp_output, "The table as JSON")->type_name("FILE");
+}
+
+void add_output_options(CLI::App& app, SkyCommand& options) {
+  app.add_option("-o,--output", options.output, "png, jpg, tif, exr, webp, ppm or pnm");
+  app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
+  app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
+      ->check(CLI::Range(1, 4096));
+  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
+}
+
+SkyCommand parse_sky(const std::vector<std::string>& args) {
+  SkyCommand options;
+  options.flat.field.kind = FieldKind::smooth;
+  options.flat.field.levels = {12, 12};
+  options.flat.field.h = {0.6};
+  CommandLine app("A random field as a sky, wood or marble", "terrview sky");
+  add_field_options(app, options.flat.field);
+  add_flat_options(app, options);
+  add_color_options(app, options);
+  add_sky_view_options(app, options.view, options.is_flat);
+  add_output_options(app, options);
+  app.parse_args(args);
+  const glm::ivec2 size = options.flat.size_px;
+  if (size.x < 1 || size.y < 1 || size.x > kLargestSide_px || size.y > kLargestSide_px)
+    throw InputError("--size: give a width and height from 1 to " +
+                     std::to_string(kLargestSide_px));
+  options.flat.table = find_color_table(options.ramp, options.clouds);
+  if (options.noise) options.flat.table.noise = *options.noise;
+  return options;
+}
+
+Image paint_in_perspective(SkyCommand options) {
+  const FieldOptions& field = options.flat.field;
+  if (field.levels.x != field.levels.y)
+    throw InputError("--levels: in perspective both axes have the same: give one number");
+  options.view.camera.size_px = options.flat.size_px;
+  options.view.sky.clouds.emplace();
+  options.view.sky.clouds->field = field;
+  options.view.sky.clouds->table = options.flat.table;
+  return paint_sky_view(options.view, options.threads);
+}
+
+Image paint_flat(const SkyCommand& options) {
+  Image image(options.flat.size_px.x, options.flat.size_px.y);
+  const FlatSky sky(options.flat);
+  const glm::ivec2 tiles = sky.tiles();
+  parallel_for(tiles.x * tiles.y, options.threads, [&](int index) {
+    check_interrupt();
+    sky.paint({index % tiles.x, index / tiles.x}, image);
+  });
+  return image;
+}
+
+}  // namespace
+
+int run_sky(const std::vector<std::string>& args) {
+  const SkyCommand options = parse_sky(args);
+  check_image_file(options.output, options.flat.size_px, {});
+  OutputFile picture(options.output, options.overwrite);
+  if (!options.ramp_output.empty()) {
+    OutputFile ramp(options.ramp_output, options.overwrite);
+    ramp.fill([&](const std::string& path) {
+      write_file(path, color_table_json(options.flat.table) + "\n");
+    });
+    ramp.commit();
+  }
+  const Image image = options.is_flat ? paint_flat(options) : paint_in_perspective(options);
+  picture.fill([&](const std::string& path) { write_image(path, image, {}); });
+  picture.commit();
+  if (!options.quiet) std::fprintf(stderr, "wrote %s\n", picture.path().c_str());
+  return 0;
+}
+
+}  // namespace terrview

@@ -1,0 +1,32 @@
+// `terrview sky` in perspective: its options, and the picture.
+#pragma once
+
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "render/camera.h"
+#include "render/image.h"
+#include "sky/sky_painter.h"
+
+namespace terrview {
+
+struct SkyView {
+  CameraOptions camera;
+  SkyOptions sky;
+  CloudLayer layer;
+  double sun_azimuth_deg = 200;
+  double sun_elevation_deg = 40;
+};
+
+// --projection, --heading, --pitch, --roll, --fov, --sun and what else only a sky in perspective
+// has. `flat` becomes false with a --projection.
+void add_sky_view_options(CLI::App& app, SkyView& view, bool& flat);
+
+// The whole sky of a camera; the same bytes for any number of threads.
+[[nodiscard]] Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads);
+
+// Throws InputError for a view that no camera has.
+[[nodiscard]] Image paint_sky_view(const SkyView& view, int threads);
+
+}  // namespace terrview

@@ -1,0 +1,35 @@
+#include "ingest/memory_file.h"
+
+#include <cstdint>
+#include <stdexcept>
+
+#include <cpl_error.h>
+#include <cpl_vsi.h>
+
+namespace terrview {
+
+MemoryFile::MemoryFile() {
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  CPLErrorReset();
+}
+
+MemoryFile::~MemoryFile() {
+  VSIUnlink(path().c_str());
+  CPLPopErrorHandler();
+}
+
+std::string MemoryFile::path() const {
+  return "/vsimem/terrview_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".tif";
+}
+
+std::string_view MemoryFile::bytes() const {
+  vsi_l_offset size = 0;
+  const GByte* data = VSIGetMemFileBuffer(path().c_str(), &size, FALSE);
+  return {reinterpret_cast<const char*>(data), static_cast<std::size_t>(size)};
+}
+
+void MemoryFile::throw_if_failed() const {
+  if (CPLGetLastErrorType() >= CE_Failure) throw std::runtime_error(CPLGetLastErrorMsg());
+}
+
+}  // namespace terrview

@@ -1,0 +1,76 @@
+#include "render/painted_sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+
+namespace terrview {
+namespace {
+
+constexpr int kSide_px = CloudPainter::kWindow_px;
+constexpr std::size_t kAzimuths = 720;
+
+}  // namespace
+
+SkyCamera sky_camera(const Camera& camera) {
+  const CameraOptions& options = camera.options();
+  SkyCamera sky;
+  sky.size_px = options.size_px;
+  sky.cylindrical = options.projection == Projection::cylindrical;
+  sky.focal_px = sky.cylindrical ? options.size_px.x / options.fov_rad
+                                 : options.size_px.x / 2.0 / std::tan(options.fov_rad / 2);
+  sky.forward = camera.forward();
+  sky.right = camera.right();
+  sky.up = camera.up();
+  return sky;
+}
+
+PaintedSky::PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_shadows)
+    : camera_(sky_camera(camera)),
+      painter_(sky, camera_),
+      has_pixels_(camera.options().projection != Projection::orthographic),
+      window_count_((camera_.size_px + (kSide_px - 1)) / kSide_px),
+      windows_(std::make_unique<Window[]>(static_cast<std::size_t>(window_count_.x) *
+                                          static_cast<std::size_t>(window_count_.y))) {
+  if (cloud_shadows && sky.clouds) shadows_.emplace(*sky.clouds, sky.clear.towards_sun);
+  for (std::size_t i = 0; i <= kAzimuths; ++i) {
+    const double azimuth_rad = 2 * std::numbers::pi * static_cast<double>(i) / kAzimuths;
+    horizon_.push_back(painter_.background({std::sin(azimuth_rad), std::cos(azimuth_rad), 0}));
+  }
+}
+
+PaintedSky::~PaintedSky() = default;
+
+glm::vec3 PaintedSky::color(const glm::dvec3& direction) const {
+  if (!has_pixels_) return painter_.clear_color(direction);
+  const glm::dvec2 image_px = camera_.image_of(direction);
+  // A ray through the picture's very edge may round to beyond it.
+  const glm::ivec2 pixel =
+      glm::clamp(glm::ivec2(glm::floor(image_px)), glm::ivec2(0), camera_.size_px - 1);
+  const glm::ivec2 at = pixel / kSide_px;
+  Window& window = windows_[static_cast<std::size_t>(at.y * window_count_.x + at.x)];
+  std::call_once(window.painted, [&] { paint(at, window); });
+  const glm::ivec2 inside = pixel - at * kSide_px;
+  return window.colors[static_cast<std::size_t>(inside.y * window_size(at).x + inside.x)];
+}
+
+glm::vec3 PaintedSky::horizon_color(const glm::dvec3& direction) const {
+  const double turns = std::atan2(direction.x, direction.y) / (2 * std::numbers::pi);
+  const double step = (turns - std::floor(turns)) * static_cast<double>(kAzimuths);
+  const auto i = std::min(static_cast<std::size_t>(step), kAzimuths - 1);
+  return glm::mix(horizon_[i], horizon_[i + 1], static_cast<float>(step - static_cast<double>(i)));
+}
+
+glm::ivec2 PaintedSky::window_size(const glm::ivec2& at) const {
+  return glm::min(glm::ivec2(kSide_px), camera_.size_px - at * kSide_px);
+}
+
+void PaintedSky::paint(const glm::ivec2& at, Window& window) const {
+  PixelWindow pixels{at * kSide_px, window_size(at), {}};
+  pixels.wanted.assign(static_cast<std::size_t>(pixels.size_px.x * pixels.size_px.y), true);
+  window.colors = painter_.paint(pixels);
+}
+
+}  // namespace terrview
