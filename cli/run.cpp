@@ -8,6 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
+#include "cli/quantize_command.h"
 #include "cli/view_command.h"
 #include "terrain/error.h"
 
@@ -19,13 +20,15 @@ constexpr const char* kUsage =
     "\n"
     "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
     "  terrview info DEM... [--json]                                 what DEMs hold\n"
+    "  terrview quantize IN -o OUT --colors N [options]              a picture with a palette\n"
     "\n"
     "ALT is in metres; +2 is two metres above the ground. See terrview view --help.\n";
 
 using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
-  static const std::map<std::string, Command> kCommands{{"info", run_info}, {"view", run_view}};
+  static const std::map<std::string, Command> kCommands{
+      {"info", run_info}, {"quantize", run_quantize}, {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

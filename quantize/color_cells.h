@@ -38,7 +38,7 @@ struct ColorCells {
 };
 
 // 48 bytes each.
-inline constexpr std::size_t kMaxColorCells = std::size_t{1} << 19;
+inline constexpr std::size_t kMaxColorCells = std::size_t{1} << 18;
 
 // One cell for each colour, or for each cube of colours of the finest level that has no more than
 // `max_cells`.

@@ -15,6 +15,8 @@ class ColorCounts {
  public:
   void add(std::span<const Rgb8> colors);
 
+  [[nodiscard]] bool empty() const { return empty_; }
+
   // Calls visit(triplets, count) for every colour that occurs, in the order of triplets. A count
   // beyond 2^32 - 1 stays there.
   template <class Visit>
@@ -24,6 +26,7 @@ class ColorCounts {
 
  private:
   ColorGrid<std::uint32_t> counts_;
+  bool empty_ = true;
 };
 
 }  // namespace terrview

@@ -17,14 +17,15 @@ class ColorMap {
   explicit ColorMap(Find find) : find_(std::move(find)) {}
 
   [[nodiscard]] std::uint16_t address(Rgb8 color) {
-    std::uint32_t& known = addresses_.at(triplets(color));
-    if (known == 0) known = find_(color) + 1;
+    std::uint16_t& known = following_.at(triplets(color));
+    if (known == 0) known = static_cast<std::uint16_t>(find_(color) + 1);
     return static_cast<std::uint16_t>(known - 1);
   }
 
  private:
   Find find_;
-  ColorGrid<std::uint32_t> addresses_;  // plus one; 0 is not known yet
+  // The address plus one; 0 is not known yet. That of 65535 wraps to 0 and is found every time.
+  ColorGrid<std::uint16_t> following_;
 };
 
 }  // namespace terrview

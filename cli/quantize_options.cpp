@@ -1,0 +1,128 @@
+#include "cli/quantize_options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/palette_file.h"
+#include "cli/parse.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+constexpr int kDefaultColors = 256;
+
+template <class Value>
+void add_choice(CLI::App& app, const std::string& name, std::optional<Value>& value,
+                const std::map<std::string, Value>& choices, const std::string& names,
+                const std::string& help) {
+  app.add_option_function<std::string>(
+         name, [&value, choices](const std::string& text) { value = choices.at(text); }, help)
+      ->check(CLI::IsMember(choices))
+      ->type_name(names);
+}
+
+int parse_colors(const std::string& name, const std::string& text) {
+  const double colors = parse_number(name, text);
+  if (colors != static_cast<int>(colors) || colors < 2 || colors > kMaxPaletteColors)
+    throw InputError(name + " " + text + ": give a whole number from 2 to 65536");
+  return static_cast<int>(colors);
+}
+
+void add_method_options(CLI::App& app, PaletteOptions& options) {
+  add_choice<PaletteMethod>(app, "--method", options.method,
+                            {{"tree", PaletteMethod::tree},
+                             {"thesis", PaletteMethod::thesis},
+                             {"fixed", PaletteMethod::fixed},
+                             {"popularity", PaletteMethod::popularity},
+                             {"median-cut", PaletteMethod::median_cut},
+                             {"variance-cut", PaletteMethod::variance_cut}},
+                            "tree|thesis|fixed|popularity|median-cut|variance-cut",
+                            "How the colours are chosen (default tree)");
+  add_choice<TreeOrder>(app, "--order", options.order,
+                        {{"error", TreeOrder::error},
+                         {"population", TreeOrder::population},
+                         {"preorder", TreeOrder::preorder}},
+                        "error|population|preorder",
+                        "The order in which the tree loses leaves (default error)");
+  add_choice<Match>(app, "--match", options.match,
+                    {{"leaf", Match::leaf},
+                     {"rgb", Match::rgb},
+                     {"oklab", Match::oklab},
+                     {"ciede2000", Match::ciede2000}},
+                    "leaf|rgb|oklab|ciede2000",
+                    "A pixel's colour: the tree's leaf, or the nearest (default leaf; without a "
+                    "tree and with dithering rgb)");
+}
+
+// Leaves are those of the picture's own colours.
+bool has_leaves(const PaletteOptions& options) {
+  const PaletteMethod method = options.method.value_or(PaletteMethod::tree);
+  return options.use_palette.empty() && options.dither == Dither::none &&
+         (method == PaletteMethod::tree || method == PaletteMethod::thesis);
+}
+
+}  // namespace
+
+void add_palette_options(CLI::App& app, const std::string& colors_name, PaletteOptions& options) {
+  app.add_option_function<std::string>(
+         colors_name,
+         [&options, colors_name](const std::string& text) {
+           options.colors = parse_colors(colors_name, text);
+         },
+         "Colours of the picture, 2 to 65536, nodata included")
+      ->type_name("N");
+  add_method_options(app, options);
+  app.add_option_function<std::string>(
+         "--dither",
+         [&options](const std::string& text) {
+           options.dither = text == "diffusion" ? Dither::diffusion
+                            : text == "ordered" ? Dither::ordered
+                                                : Dither::none;
+         },
+         "Mix colours that the palette lacks (default none)")
+      ->check(CLI::IsMember({"none", "diffusion", "ordered"}))
+      ->type_name("none|diffusion|ordered");
+  app.add_option("--use-palette", options.use_palette, "Take the palette of this file")
+      ->type_name("FILE");
+  app.add_option("--save-palette", options.save_palette, "Write the palette: .gpl (GIMP) or .json")
+      ->type_name("FILE");
+}
+
+void check_palette_options(const PaletteOptions& options) {
+  check_palette_name(options.save_palette);
+  if (!options.use_palette.empty() && (options.colors || options.method || options.order))
+    throw InputError("--use-palette " + options.use_palette +
+                     ": the palette is given: leave out the number of colours, --method and "
+                     "--order");
+  if (options.order && options.method.value_or(PaletteMethod::tree) != PaletteMethod::tree)
+    throw InputError("--order: belongs to --method tree: leave out one of them");
+  if (options.match == Match::leaf && !has_leaves(options))
+    throw InputError(
+        "--match leaf: needs a tree of the picture's own colours: use rgb, oklab or ciede2000");
+}
+
+bool needs_counts(const PaletteOptions& options) {
+  return options.use_palette.empty() && options.method != PaletteMethod::fixed;
+}
+
+Quantizer choose_palette(const ColorCounts& counts, const PaletteOptions& options,
+                         bool has_nodata) {
+  const Match match = options.match.value_or(has_leaves(options) ? Match::leaf : Match::rgb);
+  if (!options.use_palette.empty()) {
+    Palette palette = read_palette(options.use_palette);
+    if (has_nodata && palette.size() == kMaxPaletteColors)
+      throw InputError("--use-palette " + options.use_palette +
+                       ": has 65536 colours and leaves none for nodata: use a smaller one");
+    return make_quantizer(std::move(palette), match);
+  }
+  if (counts.empty() && needs_counts(options)) return make_quantizer(Palette{Rgb8(0)}, Match::rgb);
+  const int colors = options.colors.value_or(kDefaultColors) - (has_nodata ? 1 : 0);
+  return make_quantizer(counts, {.colors = colors,
+                                 .method = options.method.value_or(PaletteMethod::tree),
+                                 .order = options.order.value_or(TreeOrder::error),
+                                 .match = match});
+}
+
+}  // namespace terrview
