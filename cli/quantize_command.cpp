@@ -50,6 +50,7 @@ CommandOptions parse_quantize(const std::vector<std::string>& args) {
       ->required()
       ->type_name("FILE");
   add_palette_options(app, "--colors", options.palette);
+  add_method_options(app, options.palette);
   app.add_option("--of", options.file.format, "Picture format, if not by extension");
   app.add_option_function<std::vector<std::string>>(
          "--co",
@@ -58,7 +59,9 @@ CommandOptions parse_quantize(const std::vector<std::string>& args) {
              options.file.creation.insert(parse_creation_option(text));
          },
          "GDAL's creation option of the format")
-      ->type_name("KEY=VALUE");
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
   app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
   app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");

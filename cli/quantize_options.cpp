@@ -1,11 +1,7 @@
 #include "cli/quantize_options.h"
 
-#include <map>
-
-#include <CLI/CLI.hpp>
-
+#include "cli/add_option.h"
 #include "cli/palette_file.h"
-#include "cli/parse.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -13,47 +9,11 @@ namespace {
 
 constexpr int kDefaultColors = 256;
 
-template <class Value>
-void add_choice(CLI::App& app, const std::string& name, std::optional<Value>& value,
-                const std::map<std::string, Value>& choices, const std::string& names,
-                const std::string& help) {
-  app.add_option_function<std::string>(
-         name, [&value, choices](const std::string& text) { value = choices.at(text); }, help)
-      ->check(CLI::IsMember(choices))
-      ->type_name(names);
-}
-
 int parse_colors(const std::string& name, const std::string& text) {
   const double colors = parse_number(name, text);
   if (colors != static_cast<int>(colors) || colors < 2 || colors > kMaxPaletteColors)
     throw InputError(name + " " + text + ": give a whole number from 2 to 65536");
   return static_cast<int>(colors);
-}
-
-void add_method_options(CLI::App& app, PaletteOptions& options) {
-  add_choice<PaletteMethod>(app, "--method", options.method,
-                            {{"tree", PaletteMethod::tree},
-                             {"thesis", PaletteMethod::thesis},
-                             {"fixed", PaletteMethod::fixed},
-                             {"popularity", PaletteMethod::popularity},
-                             {"median-cut", PaletteMethod::median_cut},
-                             {"variance-cut", PaletteMethod::variance_cut}},
-                            "tree|thesis|fixed|popularity|median-cut|variance-cut",
-                            "How the colours are chosen (default tree)");
-  add_choice<TreeOrder>(app, "--order", options.order,
-                        {{"error", TreeOrder::error},
-                         {"population", TreeOrder::population},
-                         {"preorder", TreeOrder::preorder}},
-                        "error|population|preorder",
-                        "The order in which the tree loses leaves (default error)");
-  add_choice<Match>(app, "--match", options.match,
-                    {{"leaf", Match::leaf},
-                     {"rgb", Match::rgb},
-                     {"oklab", Match::oklab},
-                     {"ciede2000", Match::ciede2000}},
-                    "leaf|rgb|oklab|ciede2000",
-                    "A pixel's colour: the tree's leaf, or the nearest (default leaf; without a "
-                    "tree and with dithering rgb)");
 }
 
 // Leaves are those of the picture's own colours.
@@ -73,21 +33,41 @@ void add_palette_options(CLI::App& app, const std::string& colors_name, PaletteO
          },
          "Colours of the picture, 2 to 65536, nodata included")
       ->type_name("N");
-  add_method_options(app, options);
-  app.add_option_function<std::string>(
-         "--dither",
-         [&options](const std::string& text) {
-           options.dither = text == "diffusion" ? Dither::diffusion
-                            : text == "ordered" ? Dither::ordered
-                                                : Dither::none;
-         },
-         "Mix colours that the palette lacks (default none)")
-      ->check(CLI::IsMember({"none", "diffusion", "ordered"}))
-      ->type_name("none|diffusion|ordered");
+  add_choice<Dither>(
+      app, "--dither", options.dither,
+      {{"none", Dither::none}, {"diffusion", Dither::diffusion}, {"ordered", Dither::ordered}},
+      "Mix colours that the palette lacks (default none)");
   app.add_option("--use-palette", options.use_palette, "Take the palette of this file")
       ->type_name("FILE");
   app.add_option("--save-palette", options.save_palette, "Write the palette: .gpl (GIMP) or .json")
       ->type_name("FILE");
+}
+
+void add_method_options(CLI::App& app, PaletteOptions& options) {
+  add_choice<std::optional<PaletteMethod>>(app, "--method", options.method,
+                                           {{"tree", PaletteMethod::tree},
+                                            {"thesis", PaletteMethod::thesis},
+                                            {"fixed", PaletteMethod::fixed},
+                                            {"popularity", PaletteMethod::popularity},
+                                            {"median-cut", PaletteMethod::median_cut},
+                                            {"variance-cut", PaletteMethod::variance_cut}},
+                                           "How the colours are chosen (default tree)");
+  add_choice<std::optional<TreeOrder>>(app, "--order", options.order,
+                                       {{"error", TreeOrder::error},
+                                        {"population", TreeOrder::population},
+                                        {"preorder", TreeOrder::preorder}},
+                                       "The order in which the tree loses leaves (default error)");
+  add_choice<std::optional<Match>>(app, "--match", options.match,
+                                   {{"leaf", Match::leaf},
+                                    {"rgb", Match::rgb},
+                                    {"oklab", Match::oklab},
+                                    {"ciede2000", Match::ciede2000}},
+                                   "A pixel's colour: the tree's leaf, or the nearest (default "
+                                   "leaf; without a tree and with dithering rgb)");
+}
+
+bool wants_palette(const PaletteOptions& options) {
+  return options.colors || !options.use_palette.empty();
 }
 
 void check_palette_options(const PaletteOptions& options) {
@@ -101,6 +81,7 @@ void check_palette_options(const PaletteOptions& options) {
   if (options.match == Match::leaf && !has_leaves(options))
     throw InputError(
         "--match leaf: needs a tree of the picture's own colours: use rgb, oklab or ciede2000");
+  if (!options.use_palette.empty()) static_cast<void>(read_palette(options.use_palette));
 }
 
 bool needs_counts(const PaletteOptions& options) {

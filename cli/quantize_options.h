@@ -23,11 +23,17 @@ struct PaletteOptions {
   std::string save_palette;  // a file to write it to
 };
 
-// Adds `colors_name` (the option of that number), --method, --order, --match, --dither,
-// --use-palette and --save-palette.
+// Adds `colors_name` (the option of that number), --dither, --use-palette and --save-palette.
 void add_palette_options(CLI::App& app, const std::string& colors_name, PaletteOptions& options);
 
-// Throws InputError for options that contradict each other and for a palette's name.
+// Adds --method, --order and --match.
+void add_method_options(CLI::App& app, PaletteOptions& options);
+
+// Whether a palette is asked for.
+[[nodiscard]] bool wants_palette(const PaletteOptions& options);
+
+// Throws InputError for options that contradict each other, for a palette's name, and for a damaged
+// palette.
 void check_palette_options(const PaletteOptions& options);
 
 // Whether the pixels have to be counted first.

@@ -169,8 +169,11 @@ void IndexedFile::Impl::create() {
   if (!dataset) throw_failure(gdal);
   if (indexed) set_table(*dataset->GetRasterBand(1));
   set_place();
-  for (const auto& [key, value] : options.metadata)
-    dataset->SetMetadataItem(copied ? key.c_str() : "TIFFTAG_IMAGEDESCRIPTION", value.c_str());
+  for (const auto& [key, value] : options.metadata) {
+    std::string name = copied ? key : "TIFFTAG_IMAGEDESCRIPTION";
+    std::replace(name.begin(), name.end(), ':', '_');  // to GDAL a name ends there
+    dataset->SetMetadataItem(name.c_str(), value.c_str());
+  }
 }
 
 void IndexedFile::Impl::set_table(GDALRasterBand& band) const {

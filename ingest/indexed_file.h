@@ -21,7 +21,8 @@ namespace terrview {
 struct IndexedFileOptions {
   std::string format = {};  // png, tif, ... or GDAL's name for one; empty = by extension
   std::map<std::string, std::string> creation = {};  // GDAL's names and values
-  std::map<std::string, std::string> metadata = {};  // kept in png and tif
+  // Text kept in png, under its name but with _ for colons, and as the image description in tif.
+  std::map<std::string, std::string> metadata = {};
 };
 
 // What a file gets, and what is known of it before the first line.
