@@ -1,5 +1,6 @@
 #include "quantize/quantizer.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -38,7 +39,8 @@ Quantizer preorder_quantizer(const ColorCounts& counts, int colors) {
 }
 
 Quantizer pruned_quantizer(const ColorCounts& counts, int colors, DeletionOrder order) {
-  auto tree = std::make_shared<PrunedTree>(gather_cells(counts), colors, order);
+  const auto cells = static_cast<std::size_t>(std::clamp(16 * colors, 1 << 15, 1 << 18));
+  auto tree = std::make_shared<PrunedTree>(gather_cells(counts, cells), colors, order);
   return with_leaves<PrunedTree>(tree->palette(), tree);
 }
 

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "bench/quantize/quantize_contender.h"
+#include "quantize/color_tree.h"
 #include "quantize/quantizer.h"
 #include "quantize/rewriter.h"
 
@@ -34,6 +35,35 @@ class TerrviewJob : public QuantizeJob {
   Rewritten rewritten_;
 };
 
+// The thesis's three phases, pixel by pixel: its only short cut is to skip a pixel that is like the
+// one before.
+class ThesisJob : public QuantizeJob {
+ public:
+  ThesisJob(const Picture& picture, int colors) : picture_(picture), colors_(colors) {
+    rewritten_.indices.resize(picture.pixels.size());
+  }
+
+  void run() override {
+    const std::vector<Rgb8>& pixels = picture_.pixels;
+    ColorTree tree(colors_);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      if (i == 0 || pixels[i] != pixels[i - 1]) tree.insert(pixels[i]);
+    rewritten_.palette = tree.number_leaves();
+    std::vector<std::uint16_t>& indices = rewritten_.indices;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      indices[i] = i > 0 && pixels[i] == pixels[i - 1]
+                       ? indices[i - 1]
+                       : static_cast<std::uint16_t>(tree.address(pixels[i]));
+  }
+
+  [[nodiscard]] Rewritten result() override { return rewritten_; }
+
+ private:
+  const Picture& picture_;
+  int colors_;
+  Rewritten rewritten_;
+};
+
 QuantizeContender contender(std::string name, const QuantizeOptions& options) {
   return {std::move(name), kMaxPaletteColors, [options](const Picture& picture, int colors) {
             QuantizeOptions with_colors = options;
@@ -46,7 +76,11 @@ QuantizeContender contender(std::string name, const QuantizeOptions& options) {
 
 std::vector<QuantizeContender> terrview_quantizers() {
   using enum PaletteMethod;
-  return {contender("thesis", {.method = thesis}),
+  const auto by_pixel = [](const Picture& picture, int colors) {
+    return std::make_unique<ThesisJob>(picture, colors);
+  };
+  return {{"thesis-by-pixel", kMaxPaletteColors, by_pixel},
+          contender("thesis", {.method = thesis}),
           contender("tree-preorder", {.method = tree, .order = TreeOrder::preorder}),
           contender("tree-population", {.method = tree, .order = TreeOrder::population}),
           contender("tree", {.method = tree}),

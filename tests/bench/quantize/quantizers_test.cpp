@@ -86,6 +86,21 @@ TEST(QuantizeContenders, GiveEveryPixelAColorOfTheirPalette) {
   }
 }
 
+TEST(QuantizeContenders, TheThesisByPixelIsTheThesis) {
+  const Picture picture = sample_view();
+  const auto result = [&](const std::string& name) {
+    for (const QuantizeContender& contender : terrview_quantizers()) {
+      if (contender.name != name) continue;
+      const auto job = contender.prepare(picture, 200);
+      job->run();
+      return job->result();
+    }
+    return Rewritten{};
+  };
+  EXPECT_EQ(result("thesis-by-pixel").palette, result("thesis").palette);
+  EXPECT_EQ(result("thesis-by-pixel").indices, result("thesis").indices);
+}
+
 TEST(QuantizeContenders, OurTreeHasLessThanFourFifthsOfTheErrorOfGdalsMedianCut) {
   const Picture picture = sample_view();
   for (const int colors : {64, 256})
