@@ -9,7 +9,8 @@
 
 namespace terrview {
 
-// Lets GDAL keep no more than `bytes` of files' blocks from now on. GDAL_CACHEMAX has the last word.
+// Lets GDAL keep no more than `bytes` of files' blocks from now on. GDAL_CACHEMAX has the last
+// word.
 void limit_block_cache(std::int64_t bytes);
 
 // While one lives, what GDAL reports in this thread is collected here. They nest.
