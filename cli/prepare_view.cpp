@@ -52,6 +52,16 @@ void check_sampling(const ViewOptions& options) {
     throw InputError("--layers: a preview does not trace every pixel: leave out --preview");
 }
 
+void check_palette(const ViewOptions& options) {
+  const PaletteOptions& palette = options.palette;
+  check_palette_options(palette);
+  if (!wants_palette(palette) && (palette.dither != Dither::none || !palette.save_palette.empty()))
+    throw InputError("--dither, --save-palette: belong to a palette: give --palette too");
+  if (wants_palette(palette) && !options.progressive.empty())
+    throw InputError("--progressive " + options.progressive +
+                     ": is not written with a palette: leave out one of them");
+}
+
 }  // namespace
 
 void prepare(ViewOptions& options) {
@@ -64,6 +74,7 @@ void prepare(ViewOptions& options) {
   check_light(options.light);
   check_air(options.air);
   check_sampling(options);
+  check_palette(options);
   const ResolvedView known = known_view(options);
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera

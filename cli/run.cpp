@@ -8,6 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
+#include "cli/quantize_command.h"
 #include "cli/sky_command.h"
 #include "cli/synth_command.h"
 #include "cli/view_command.h"
@@ -23,6 +24,7 @@ constexpr const char* kUsage =
     "  terrview info DEM... [--json]                                 what DEMs hold\n"
     "  terrview sky [--clouds 0..1] [--seed N] [-o OUT]              a sky, wood, marble\n"
     "  terrview synth [--relief plain|ridged|eroded] [-o OUT.tif]    a height grid\n"
+    "  terrview quantize IN -o OUT --colors N [options]              a picture with a palette\n"
     "\n"
     "ALT is in metres; +2 is two metres above the ground. See terrview view --help.\n";
 
@@ -30,7 +32,8 @@ using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
   static const std::map<std::string, Command> kCommands{
-      {"info", run_info}, {"sky", run_sky}, {"synth", run_synth}, {"view", run_view}};
+      {"info", run_info},   {"quantize", run_quantize}, {"sky", run_sky},
+      {"synth", run_synth}, {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

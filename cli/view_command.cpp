@@ -7,6 +7,8 @@
 
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
+#include "cli/palette_file.h"
+#include "cli/palette_picture.h"
 #include "cli/prepare_view.h"
 #include "cli/progress.h"
 #include "cli/view_files.h"
@@ -85,8 +87,15 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
 void write(const ViewOptions& options, const View& view, const Frame& frame,
            const ViewFiles& files) {
   const std::string camera_text = camera_json(view.resolved).dump(2);
+  const ImageFileOptions how = image_options(options, view);
   files.image->fill([&](const std::string& path) {
-    write_image(path, frame.image, image_options(options, view));
+    if (!wants_palette(options.palette)) return write_image(path, frame.image, how);
+    const Palette palette = write_palette_image(path, frame.image, options.palette,
+                                                {how.format, how.creation, how.metadata});
+    if (files.palette)
+      files.palette->fill([&](const std::string& palette_path) {
+        write_file(palette_path, palette_text(palette, options.palette.save_palette));
+      });
   });
   if (files.layers)
     files.layers->fill([&](const std::string& path) {

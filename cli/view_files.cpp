@@ -5,6 +5,7 @@
 #include "cli/camera_json.h"
 #include "cli/parse.h"
 #include "cli/view_outputs.h"
+#include "ingest/indexed_file.h"
 #include "render/image_file.h"
 #include "terrain/error.h"
 
@@ -18,12 +19,17 @@ std::string default_name(const ViewOptions& options) {
          (format == "gtiff" ? "tif" : format);
 }
 
+IndexedFileOptions indexed_options(const ViewOptions& options) {
+  return {options.format, options.creation, {}};
+}
+
 }  // namespace
 
 ViewFiles::ViewFiles(const ViewOptions& options) {
   const std::string picture = options.output.empty() ? default_name(options) : options.output;
+  if (wants_palette(options.palette)) check_indexed_file(picture, indexed_options(options));
   for (const std::string& path : {picture, options.progressive}) {
-    if (!path.empty())
+    if (!path.empty() && !wants_palette(options.palette))
       check_image_file(path, options.size_px.value_or(ResolvedView{}.size_px),
                        {options.format, options.creation, {}});
   }
@@ -32,11 +38,12 @@ ViewFiles::ViewFiles(const ViewOptions& options) {
   layers = claim(options.layers, options);
   stats = claim(options.stats, options);
   camera = claim(options.camera, options);
+  palette = claim(options.palette.save_palette, options);
   progressive = claim(options.progressive, options);
 }
 
 void ViewFiles::commit() {
-  for (const auto* file : {&image, &layers, &stats, &camera}) {
+  for (const auto* file : {&image, &layers, &stats, &camera, &palette}) {
     if (*file) (*file)->commit();
   }
 }

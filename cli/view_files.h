@@ -24,6 +24,7 @@ class ViewFiles {
   std::unique_ptr<OutputFile> layers;
   std::unique_ptr<OutputFile> stats;
   std::unique_ptr<OutputFile> camera;
+  std::unique_ptr<OutputFile> palette;
   std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
 
  private:

@@ -63,6 +63,15 @@ Json samples_json(const SamplingOptions& options) {
   return {{"adaptive", options.contrast}};
 }
 
+Json palette_json(const PaletteOptions& options) {
+  Json json;
+  if (options.colors) json["colors"] = *options.colors;
+  if (!options.use_palette.empty()) json["file"] = file_name(options.use_palette);
+  if (options.dither != Dither::none)
+    json["dither"] = options.dither == Dither::diffusion ? "diffusion" : "ordered";
+  return json;
+}
+
 const char* name_of(SurfaceModel surface) {
   switch (surface) {
     case SurfaceModel::hyperboloid:
@@ -101,6 +110,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["surface"] = name_of(options.surface);
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
   if (!options.colors.empty()) json["colors"] = file_name(options.colors);
+  if (wants_palette(options.palette)) json["palette"] = palette_json(options.palette);
   // File names may be no UTF-8.
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }

@@ -93,6 +93,7 @@ void add_output_options(CLI::App& app, ViewOptions& options) {
       ->expected(1)
       ->take_all();
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
+  add_palette_options(app, "--palette", options.palette);
   app.add_option("--layers", options.layers,
                  "Per-pixel distance, place, height and object, as .tif or .exr")
       ->type_name("FILE");

@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "cli/parse.h"
+#include "cli/quantize_options.h"
 #include "ingest/dem.h"
 #include "ingest/view_frame.h"
 #include "render/camera.h"
@@ -87,6 +88,7 @@ struct ViewOptions {
   std::string colors;
   int threads = 0;
 
+  PaletteOptions palette;
   std::string output;
   std::string format;
   std::map<std::string, std::string> creation;

@@ -22,9 +22,7 @@ constexpr GIntBig kBlockCache_bytes = 64 << 20;
 void register_drivers() {
   static const bool once = [] {
     GDALAllRegister();
-    if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr) {
-      GDALSetCacheMax64(kBlockCache_bytes);
-    }
+    limit_block_cache(kBlockCache_bytes);
     return true;
   }();
   static_cast<void>(once);
@@ -43,6 +41,10 @@ std::string one_line(const char* text) {
 }
 
 }  // namespace
+
+void limit_block_cache(std::int64_t bytes) {
+  if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr) GDALSetCacheMax64(bytes);
+}
 
 GdalScope::GdalScope() {
   register_drivers();

@@ -2,11 +2,16 @@
 // in files never run.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace terrview {
+
+// Lets GDAL keep no more than `bytes` of files' blocks from now on. GDAL_CACHEMAX has the last
+// word.
+void limit_block_cache(std::int64_t bytes);
 
 // While one lives, what GDAL reports in this thread is collected here. They nest.
 class GdalScope {

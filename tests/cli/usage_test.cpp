@@ -189,13 +189,15 @@ std::set<std::string> options_in(const std::string& text) {
 
 TEST_F(Usage, HelpAndTheManualListTheSameOptions) {
   const std::string manual = read_text(TERRVIEW_SOURCE_DIR "/docs/cli.md");
-  const auto begin = manual.find("\n## view\n");
-  ASSERT_NE(begin, std::string::npos);
-  const auto end = manual.find("\n## ", begin + 1);
-  std::set<std::string> documented = options_in(manual.substr(begin, end - begin));
-  std::set<std::string> known = options_in(run(words("view --help")).out);
-  for (const char* general : {"--help", "--version"}) known.erase(general);
-  EXPECT_EQ(known, documented);
+  for (const std::string command : {"view", "quantize"}) {
+    const auto begin = manual.find("\n## " + command + "\n");
+    ASSERT_NE(begin, std::string::npos);
+    const auto end = manual.find("\n## ", begin + 1);
+    std::set<std::string> documented = options_in(manual.substr(begin, end - begin));
+    std::set<std::string> known = options_in(run({command, "--help"}).out);
+    for (const char* general : {"--help", "--version"}) known.erase(general);
+    EXPECT_EQ(known, documented);
+  }
 }
 
 TEST_F(Usage, MessagesGoToStandardErrorAndQuietHasNone) {
