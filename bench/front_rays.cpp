@@ -42,8 +42,7 @@ FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
         for (int column = 0; column < columns; ++column, ++i, ++pixel) {
           const bool hit = rays->is_hit(i);
           frame.distance_m[pixel] =
-              hit ? rays->ground_m[i] * std::sqrt(1 + rays->slope[i] * rays->slope[i])
-                  : std::numeric_limits<double>::infinity();
+              hit ? rays->distance_m(i) : std::numeric_limits<double>::infinity();
           frame.cell[pixel] = hit ? static_cast<std::int32_t>(rays->row[i]) * cells_in_row +
                                         static_cast<std::int32_t>(rays->column[i])
                                   : kNoCell;

@@ -48,7 +48,7 @@ class CurvedGroundMap final : public GroundMap {
   double reach_m_;
   PatchTree patches_;
   glm::dvec2 centre_uv_;
-  double piece_error_cells_;  // what the patches and the table leave of kTrackError_cells
+  double piece_error_cells_;         // what the patches and the table leave of kTrackError_cells
   std::optional<EyeTracks> tracks_;  // where the eye is in the disc
 };
 

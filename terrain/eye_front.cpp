@@ -24,7 +24,6 @@
 #define TERRVIEW_TERRAIN_EYE_FRONT_ONCE
 namespace terrview {
 
-
 // Larger than the rounding of a clearance, as a share of the numbers it comes from.
 constexpr double kBoundRounding = 1e-11;
 
@@ -79,9 +78,8 @@ class SectorBounds {
     M wide;
     const V height = highest(ring, first, outside, wide);
     const V z = ceiling(ring, first, height);
-    const V slack =
-        of(kBoundRounding) * (hn::Abs(of(z_scale_) * height) + of(std::abs(eye_height_m_)) +
-                              hn::Abs(z));
+    const V slack = of(kBoundRounding) *
+                    (hn::Abs(of(z_scale_) * height) + of(std::abs(eye_height_m_)) + hn::Abs(z));
     const V top = z + slack;
     const V near = ring.near_m > 0 ? top / of(ring.near_m) : hn::Inf(D());
     const V bound = hn::IfThenElse(top < of(0), top / of(ring.far_m), near);
@@ -105,7 +103,7 @@ class SectorBounds {
                   of(margin_cells_);
     const V high = hn::Max(hn::Max(corners[0], corners[1]), hn::Max(corners[2], corners[3])) +
                    of(margin_cells_);
-    outside = hn::Or(high < of(0), low > of(last_cell + 1));
+    outside = hn::Or(high<of(0), low> of(last_cell + 1));
     const V per_block = of(std::ldexp(1.0, -level));
     const auto block = [&](V at) HWY_ATTR {
       return hn::Floor(hn::Floor(hn::Min(hn::Max(at, of(0)), of(last_cell))) * per_block);
@@ -305,8 +303,8 @@ int bin_of(double slope) {
   return std::min(static_cast<int>(start_bin(slope)), EyeFront::kStartBins - 1);
 }
 
-// Bin b holds the slopes from kBinSlopes[b] up; the inverse of the steepest of them, which meets the
-// ground first.
+// Bin b holds the slopes from kBinSlopes[b] up; the inverse of the steepest of them, which meets
+// the ground first.
 const std::array<float, EyeFront::kStartBins>& inverse_bin_slopes() {
   static const auto inverses = [] {
     std::array<float, EyeFront::kStartBins> values{};
@@ -328,7 +326,8 @@ bool EyeFront::serves(const Terrain& terrain) {
   const double gamma =
       terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
   constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
-  return layer.ceilings && (layer.map->linear() || layer.map->eye_tracks()) && gamma * gamma < kSeriesLimit &&
+  return layer.ceilings && (layer.map->linear() || layer.map->eye_tracks()) &&
+         gamma * gamma < kSeriesLimit &&
          static_cast<double>(layer.grid->columns) * layer.grid->rows < kMostPosts;
 }
 
@@ -336,8 +335,7 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
     : terrain_(terrain),
       ceilings_(*terrain.layers()[0].ceilings),
       wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
-      margin_cells_(terrain.layers()[0].map->linear() ? kStraightMargin_cells
-                                                      : kBentMargin_cells),
+      margin_cells_(terrain.layers()[0].map->linear() ? kStraightMargin_cells : kBentMargin_cells),
       highest_slope_(static_cast<float>(options.highest_slope)),
       first_bin_(bin_of(options.lowest_slope)),
       last_bin_(bin_of(options.highest_slope)) {
@@ -346,10 +344,10 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
   const auto wedges = static_cast<std::size_t>(4 * wedges_a_side_);
   const auto ring_count = static_cast<std::size_t>(rings());
   bounds_ = std::make_unique_for_overwrite<float[]>(wedges * (ring_count + 1));
-  coarse_bounds_ = std::make_unique_for_overwrite<float[]>(
-      wedges * static_cast<std::size_t>(coarse_rings()));
-  bounds_beyond_ = std::make_unique_for_overwrite<float[]>(
-      wedges * static_cast<std::size_t>(coarse_rings()));
+  coarse_bounds_ =
+      std::make_unique_for_overwrite<float[]>(wedges * static_cast<std::size_t>(coarse_rings()));
+  bounds_beyond_ =
+      std::make_unique_for_overwrite<float[]>(wedges * static_cast<std::size_t>(coarse_rings()));
   starts_m_ = std::make_unique_for_overwrite<float[]>(wedges * kStartBins);
   made_ = std::make_unique<std::once_flag[]>(wedges / kGroup);
 }
@@ -444,8 +442,7 @@ void EyeFront::make_coarse_bounds(int group) const {
       beyond[block * kGroup + i] = highest[i];
     }
   // A search ends past the last ring.
-  std::fill_n(coarse + (coarse_count - 1) * kGroup, kGroup,
-              std::numeric_limits<float>::infinity());
+  std::fill_n(coarse + (coarse_count - 1) * kGroup, kGroup, std::numeric_limits<float>::infinity());
 }
 
 void EyeFront::make_starts(int group) const {
@@ -459,8 +456,7 @@ void EyeFront::make_starts(int group) const {
   const auto margin_m = static_cast<float>(margin_m_);
   const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * count * kGroup;
   for (std::size_t i = 0; i < kGroup; ++i) {
-    float* starts_m =
-        starts_m_.get() + (static_cast<std::size_t>(group) * kGroup + i) * kStartBins;
+    float* starts_m = starts_m_.get() + (static_cast<std::size_t>(group) * kGroup + i) * kStartBins;
     float highest = -kNever;
     int filled = first_bin_;
     for (std::size_t ring = 0; ring < count && filled <= last_bin_; ++ring) {
@@ -471,8 +467,7 @@ void EyeFront::make_starts(int group) const {
       const int end = std::min(static_cast<int>(bin), last_bin_) + 1;
       const bool none = ring == count - 1;
       const float near_m =
-          none ? kNever
-               : static_cast<float>(std::max(0.0, ring_m_[ring] - margin_m_)) * kShrink;
+          none ? kNever : static_cast<float>(std::max(0.0, ring_m_[ring] - margin_m_)) * kShrink;
       // Below the horizon no ground of the ring is above `bound` times its far end: a ray comes
       // down to that height later than to the ring.
       const float depth_m =

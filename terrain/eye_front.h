@@ -92,9 +92,9 @@ class EyeFront {
   double margin_cells_;
   double margin_m_ = 0;
   std::vector<double> ring_m_;
-  std::vector<int> levels_;           // by ring: of the blocks that cover its sectors
-  std::vector<int> ring_at_step_;     // the ring that a multiple of step_m_ lies in
-  double step_m_ = 0;                 // the narrowest ring
+  std::vector<int> levels_;        // by ring: of the blocks that cover its sectors
+  std::vector<int> ring_at_step_;  // the ring that a multiple of step_m_ lies in
+  double step_m_ = 0;              // the narrowest ring
   float highest_slope_;
   int first_bin_;
   int last_bin_;

@@ -120,8 +120,8 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
     } else {
       save(set.sector, i, sectors_of(x, y, tracks->sectors_a_side()));
     }
-    const V bin = hn::Floor((slope / (of(1) + hn::Abs(slope)) + of(1)) *
-                            of(EyeFront::kStartBins / 2));
+    const V bin =
+        hn::Floor((slope / (of(1) + hn::Abs(slope)) + of(1)) * of(EyeFront::kStartBins / 2));
     const V first_bin = of(front.first_bin());
     const V known_bin =
         hn::IfThenElse(bin >= first_bin, hn::Min(bin, of(front.last_bin())), first_bin);
@@ -299,8 +299,7 @@ class EyeLoop {
     M settled = hn::And(seated, enter(r));
     if constexpr (kBent) {
       // A cell that was entered on the piece before is too late to begin with.
-      const M early =
-          hn::And(hn::And(wanted, seated), hn::And(hn::Not(settled), r.begin > of(0)));
+      const M early = hn::And(hn::And(wanted, seated), hn::And(hn::Not(settled), r.begin > of(0)));
       if (bits_of(early) != 0) {
         const V before_m = hn::Max(r.begin - of(front_.step_back_m()), of(0));
         load_pieces(first, before_m, early);
@@ -347,8 +346,8 @@ class EyeLoop {
     const M meets = start_m < hn::Inf(D());
     const M settled = settle(first, hn::IfThenElseZero(meets, start_m), meets);
     const std::uint32_t lanes = lanes_from(first);
-    const std::uint32_t lost = (lanes & ~bits_of(slanted)) |
-                               (lanes & bits_of(hn::AndNot(settled, meets)));
+    const std::uint32_t lost =
+        (lanes & ~bits_of(slanted)) | (lanes & bits_of(hn::AndNot(settled, meets)));
     rescue(first, lost);
     walking(first) = static_cast<std::uint8_t>(lanes & bits_of(meets) & ~lost);
   }
@@ -555,8 +554,7 @@ class EyeLoop {
   std::int64_t tests_ = 0;
 };
 
-std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RaySet& set,
-                          RescueList& rescues) {
+std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RaySet& set, RescueList& rescues) {
   if (front.terrain().layers()[0].map->linear())
     return EyeLoop<false>(front, rays, set, rescues).run();
   return EyeLoop<true>(front, rays, set, rescues).run();

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -36,6 +37,10 @@ struct EyeRays {
     direction_z[i] = direction.z;
   }
   [[nodiscard]] bool is_hit(std::size_t i) const { return ground_m[i] >= 0; }
+  // Along the ray. Only where is_hit().
+  [[nodiscard]] double distance_m(std::size_t i) const {
+    return std::isinf(slope[i]) ? ground_m[i] : ground_m[i] * std::sqrt(1 + slope[i] * slope[i]);
+  }
   // The Hit that Terrain::first_hit() gives. Only where is_hit().
   [[nodiscard]] Hit hit(std::size_t i) const;
 };

@@ -122,13 +122,14 @@ TrackPiece EyeTracks::piece(glm::dvec2 direction, double from_m, double to_m) co
   const auto at = static_cast<std::size_t>(sector_of(direction, sectors_a_side_)) *
                   static_cast<std::size_t>(pieces());
   const double* c = coefficients_.data() + (at + i) * kCoefficients;
-  TrackPiece piece{knots_m_[i], std::max(from_m, std::min(knots_m_[i + 1], to_m)),
-                   eye_uv_ + glm::dvec2(c[0] * direction.x + c[1] * direction.y,
-                                        c[2] * direction.x + c[3] * direction.y),
-                   {},
-                   {c[4] * direction.x + c[5] * direction.y,
-                    c[6] * direction.x + c[7] * direction.y},
-                   {0, 0}};
+  TrackPiece piece{
+      knots_m_[i],
+      std::max(from_m, std::min(knots_m_[i + 1], to_m)),
+      eye_uv_ + glm::dvec2(c[0] * direction.x + c[1] * direction.y,
+                           c[2] * direction.x + c[3] * direction.y),
+      {},
+      {c[4] * direction.x + c[5] * direction.y, c[6] * direction.x + c[7] * direction.y},
+      {0, 0}};
   set_metres(piece);
   piece.end = piece.at(piece.end_m);
   return piece;

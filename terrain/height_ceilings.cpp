@@ -34,8 +34,7 @@ void highest_of_rows(const float* posts, std::size_t columns, std::size_t rows, 
   }
   for (; i < columns; ++i) {
     out[i] = -std::numeric_limits<float>::infinity();
-    for (std::size_t row = 0; row < rows; ++row)
-      out[i] = higher(out[i], posts[row * columns + i]);
+    for (std::size_t row = 0; row < rows; ++row) out[i] = higher(out[i], posts[row * columns + i]);
   }
 }
 

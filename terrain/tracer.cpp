@@ -251,8 +251,7 @@ GroundLine ground_line(const Ray& ray) {
 }
 
 Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray) {
-  if (is_vertical(ray))
-    return trace_vertical(terrain, ray);
+  if (is_vertical(ray)) return trace_vertical(terrain, ray);
   return Tracer(terrain, ceiling_m, ray).run();
 }
 

@@ -19,8 +19,8 @@ struct TrackPiece {
   [[nodiscard]] glm::dvec2 at(double g_m) const { return start + rate * (g_m - begin_m); }
 };
 
-// Sets `metres` from `rate`. A rate too small to invert crosses no line within any reach: it becomes
-// 0.
+// Sets `metres` from `rate`. A rate too small to invert crosses no line within any reach: it
+// becomes 0.
 void set_metres(TrackPiece& piece);
 
 // The piece of `line` that begins at `begin_m`, where the grid is at `start`, and ends at `to_m` at

@@ -172,7 +172,8 @@ class VectorGrid {
     V row_line;
     V column_out;
     V row_out;
-    const V column_in = came_in(r, r.column, r.start_u, r.rate_u, r.metres_u, column_line, column_out);
+    const V column_in =
+        came_in(r, r.column, r.start_u, r.rate_u, r.metres_u, column_line, column_out);
     const V row_in = came_in(r, r.row, r.start_v, r.rate_v, r.metres_v, row_line, row_out);
     // At a corner the walk crosses columns first.
     const M visited = hn::And(column_in <= row_out, row_in < column_out);

@@ -31,8 +31,8 @@ class ParabolicGroundMap final : public GroundMap {
   [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
                                    double limit_m) const override {
     const glm::dvec2 d = line.direction;
-    const double bend = 2 * std::abs(bend_per_m_) / spacing_m_ *
-                        glm::length(glm::dvec2(d.y * d.y, d.x * d.y));
+    const double bend =
+        2 * std::abs(bend_per_m_) / spacing_m_ * glm::length(glm::dvec2(d.y * d.y, d.x * d.y));
     return std::min(limit_m, from_m + std::sqrt(8 * 0.8 * kTrackError_cells / bend));
   }
   [[nodiscard]] const EyeTracks* eye_tracks() const override {
