@@ -13,6 +13,7 @@
 #include "render/parallel.h"
 #include "render/view_front.h"
 #include "terrain/column_tracer.h"
+#include "terrain/height_ceilings.h"
 #include "terrain/height_pyramid.h"
 
 namespace terrview {
@@ -103,12 +104,15 @@ struct Built {
 Built build_pyramid(const HeightGrid& grid) {
   const auto start = std::chrono::steady_clock::now();
   const HeightPyramid pyramid(grid);
+  const HeightCeilings ceilings(grid);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   double blocks = 0;
   for (int level = HeightPyramid::kFirstLevel; level <= pyramid.last_level(); ++level)
     blocks += std::ceil(std::ldexp(grid.columns - 1, -level)) *
               std::ceil(std::ldexp(grid.rows - 1, -level));
-  return {spent.count(), blocks * sizeof(HeightPyramid::Range) / (1 << 20)};
+  const double bytes =
+      blocks * sizeof(HeightPyramid::Range) + static_cast<double>(ceilings.bytes());
+  return {spent.count(), bytes / (1 << 20)};
 }
 
 // No frame can be traced faster than it is written.

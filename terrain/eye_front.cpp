@@ -336,7 +336,9 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
       ceilings_(*terrain.layers()[0].ceilings),
       wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
       margin_cells_(terrain.layers()[0].map->linear() ? kStraightMargin_cells : kBentMargin_cells),
-      highest_slope_(static_cast<float>(options.highest_slope)),
+      // Rays that rise may look over a near ridge and come far.
+      highest_slope_(options.highest_slope < 0 ? static_cast<float>(options.highest_slope)
+                                               : std::numeric_limits<float>::infinity()),
       first_bin_(bin_of(options.lowest_slope)),
       last_bin_(bin_of(options.highest_slope)) {
   lay_rings(2.0 / wedges_a_side_);
