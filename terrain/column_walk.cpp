@@ -57,14 +57,7 @@ void ColumnWalk::record(int lane, const ColumnHit& hit) {
 void ColumnWalk::load_piece(int lane, const TrackPiece& piece) {
   const auto i = static_cast<std::size_t>(lane);
   pieces_[i] = piece;
-  state.begin[i] = piece.begin_m;
-  state.end[i] = piece.end_m;
-  state.start_u[i] = piece.start.x;
-  state.start_v[i] = piece.start.y;
-  state.rate_u[i] = piece.rate.x;
-  state.rate_v[i] = piece.rate.y;
-  state.metres_u[i] = piece.metres.x;
-  state.metres_v[i] = piece.metres.y;
+  put_piece(state, i, piece);
 }
 
 void ColumnWalk::next_piece(int lane) {

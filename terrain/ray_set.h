@@ -16,8 +16,8 @@ struct alignas(64) RaySet {
   std::size_t count = 0;
   alignas(64) Values index;  // of the ray in EyeRays
   alignas(64) Values x, y, slope, rate_u, rate_v, metres_u, metres_v;
-  // Where tracks bend: the sector of the ray's direction in EyeTracks, and the piece.
-  alignas(64) Values sector, piece, begin, end, start_u, start_v;
+  // Where tracks bend: the sector of the ray's direction in EyeTracks, and its piece.
+  alignas(64) Values sector, begin, end, start_u, start_v;
   alignas(64) Values start;  // its place in EyeFront's starts
   // Where the walk stands.
   alignas(64) Values column, row, g, u, v, z;
@@ -31,7 +31,7 @@ struct alignas(64) RaySet {
   }
 
   void move_piece(std::size_t from, std::size_t to) {
-    for (Values* values : {&sector, &piece, &begin, &end, &start_u, &start_v})
+    for (Values* values : {&sector, &begin, &end, &start_u, &start_v})
       (*values)[to] = (*values)[from];
   }
 };

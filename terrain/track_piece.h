@@ -1,6 +1,8 @@
 // A linear piece of a ray's track over a grid.
 #pragma once
 
+#include <cstddef>
+
 #include <glm/vec2.hpp>
 
 #include "terrain/ground_map.h"
@@ -22,6 +24,19 @@ struct TrackPiece {
 // Sets `metres` from `rate`. A rate too small to invert crosses no line within any reach: it
 // becomes 0.
 void set_metres(TrackPiece& piece);
+
+// Puts a piece into place `i` of the arrays of a structure that names its parts alike.
+template <class Lanes>
+void put_piece(Lanes& lanes, std::size_t i, const TrackPiece& piece) {
+  lanes.begin[i] = piece.begin_m;
+  lanes.end[i] = piece.end_m;
+  lanes.start_u[i] = piece.start.x;
+  lanes.start_v[i] = piece.start.y;
+  lanes.rate_u[i] = piece.rate.x;
+  lanes.rate_v[i] = piece.rate.y;
+  lanes.metres_u[i] = piece.metres.x;
+  lanes.metres_v[i] = piece.metres.y;
+}
 
 // The piece of `line` that begins at `begin_m`, where the grid is at `start`, and ends at `to_m` at
 // the latest. On lines from the eye whose map has EyeTracks, the piece that `begin_m` lies on.

@@ -1,0 +1,240 @@
+// Where the rays of a RaySet stand on their walks over the grid. Included once for every
+// instruction set.
+#if defined(TERRVIEW_TERRAIN_SET_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TERRVIEW_TERRAIN_SET_WALK_INL_H_
+#undef TERRVIEW_TERRAIN_SET_WALK_INL_H_
+#else
+#define TERRVIEW_TERRAIN_SET_WALK_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "terrain/eye_tracks.h"
+#include "terrain/grid_walk.h"
+#include "terrain/ray_set.h"
+#include "terrain/track_piece.h"
+#include "terrain/vector_ground-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace terrview {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE V load(const EyeRays::Values& values, std::size_t first) {
+  return hn::Load(D(), values.data() + first);
+}
+HWY_INLINE void save(EyeRays::Values& values, std::size_t first, V value) {
+  hn::Store(value, D(), values.data() + first);
+}
+
+// The walks of a set's rays, a vector of them at a time. Where the tracks of the terrain bend,
+// kBent.
+template <bool kBent>
+class SetWalk {
+ public:
+  // Rays begin `step_back_m` before a knot that parts them from the start of their cell.
+  SetWalk(const Terrain& terrain, RaySet& set, double step_back_m)
+      : terrain_(terrain),
+        grid_(terrain),
+        set_(set),
+        step_back_m_(step_back_m),
+        tracks_(terrain.layers()[0].map->eye_tracks()) {
+    const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
+    eye_u_ = eye_uv.x;
+    eye_v_ = eye_uv.y;
+    if (const auto ground = terrain.ground_at({0, 0})) {
+      eye_column_ = ground->cell.x;
+      eye_row_ = ground->cell.y;
+      eye_z_ = terrain.frame().at({0, 0}).z_m(ground->scene_height_m);
+    }
+  }
+
+  [[nodiscard]] const VectorGrid& grid() const { return grid_; }
+
+  // The walk as it stands at rays first, first + 1, ... of the set.
+  HWY_INLINE Registers at(std::size_t first) const {
+    Registers r = ray_lines(first);
+    load_walk(r, first);
+    return r;
+  }
+
+  HWY_INLINE void keep(const Registers& r, std::size_t first) {
+    save(set_.column, first, r.column);
+    save(set_.row, first, r.row);
+    save(set_.g, first, r.g);
+    save(set_.u, first, r.u);
+    save(set_.v, first, r.v);
+    save(set_.z, first, r.z);
+  }
+
+  // Puts the wanted lanes into the cells where they are at a distance, or a little before. Those
+  // returned are there as the single ray's walk is.
+  HWY_INLINE M settle(std::size_t first, V start_m, M wanted) {
+    if constexpr (kBent) load_pieces(first, start_m, wanted);
+    Registers r = ray_lines(first);
+    const M seated = seat(r, start_m);
+    M settled = hn::And(seated, enter(r));
+    if constexpr (kBent) {
+      // A cell that was entered on the piece before is too late to begin with.
+      const M early = hn::And(hn::And(wanted, seated), hn::And(hn::Not(settled), r.begin > of(0)));
+      if (bits_of(early) != 0) {
+        const V before_m = hn::Max(r.begin - of(step_back_m_), of(0));
+        load_pieces(first, before_m, early);
+        Registers back = ray_lines(first);
+        const M back_seated = seat(back, before_m);
+        const M back_settled = hn::And(back_seated, enter(back));
+        settled = hn::Or(settled, hn::And(early, back_settled));
+        choose(r, early, back);
+      }
+    }
+    Registers old = r;
+    load_walk(old, first);
+    choose(old, wanted, r);
+    keep(old, first);
+    return settled;
+  }
+
+  // Takes the walk of `other` where `mask`.
+  HWY_INLINE void choose(Registers& r, M mask, const Registers& other) const {
+    r.column = hn::IfThenElse(mask, other.column, r.column);
+    r.row = hn::IfThenElse(mask, other.row, r.row);
+    r.g = hn::IfThenElse(mask, other.g, r.g);
+    r.u = hn::IfThenElse(mask, other.u, r.u);
+    r.v = hn::IfThenElse(mask, other.v, r.v);
+    r.z = hn::IfThenElse(mask, other.z, r.z);
+  }
+
+  // Ray i of the set goes on along the next piece of its track, in the same cell.
+  void next_piece(std::size_t i) {
+    put_piece(set_, i, tracks_->piece({set_.x[i], set_.y[i]}, set_.end[i], terrain_.reach_m()));
+  }
+
+  // Of lanes that have left the grid, those whose tracks come back.
+  [[nodiscard]] std::uint32_t returning(std::size_t first, std::uint32_t outside) const {
+    std::uint32_t back = 0;
+    const TerrainLayer& layer = terrain_.layers()[0];
+    const double reach_m = terrain_.reach_m();
+    for (std::uint32_t left = outside; left != 0; left &= left - 1) {
+      const auto i = first + static_cast<std::size_t>(__builtin_ctz(left));
+      if (set_.end[i] >= reach_m) continue;
+      const GroundLine line{{0, 0}, {set_.x[i], set_.y[i]}};
+      GridWalk walk(*layer.grid, *layer.map, terrain_.model(), line, set_.end[i], reach_m);
+      if (walk.over_grid()) back |= 1U << __builtin_ctz(left);
+    }
+    return back;
+  }
+
+ private:
+  // Lines and tracks.
+  HWY_INLINE Registers ray_lines(std::size_t first) const {
+    Registers r;
+    r.x = load(set_.x, first);
+    r.y = load(set_.y, first);
+    r.slope = load(set_.slope, first);
+    r.rate_u = load(set_.rate_u, first);
+    r.rate_v = load(set_.rate_v, first);
+    r.metres_u = load(set_.metres_u, first);
+    r.metres_v = load(set_.metres_v, first);
+    if constexpr (kBent) {
+      r.begin = load(set_.begin, first);
+      r.end = load(set_.end, first);
+      r.start_u = load(set_.start_u, first);
+      r.start_v = load(set_.start_v, first);
+    } else {
+      r.begin = of(0);
+      r.end = of(terrain_.reach_m());
+      r.start_u = of(eye_u_);
+      r.start_v = of(eye_v_);
+    }
+    return r;
+  }
+
+  // Loads the pieces of the tracks that distances lie on, of the wanted lanes.
+  HWY_INLINE void load_pieces(std::size_t first, V from_m, M wanted) {
+    const std::vector<double>& knots_m = tracks_->knots_m();
+    V piece = of(0);
+    for (std::size_t i = 1; i + 1 < knots_m.size(); ++i)
+      piece = piece + hn::IfThenElseZero(from_m >= of(knots_m[i]), of(1));
+    const V sector = load(set_.sector, first);
+    const hn::Rebind<std::int64_t, D> longs;
+    const auto at = hn::ConvertTo(
+        longs, (sector * of(tracks_->pieces()) + piece) * of(EyeTracks::kCoefficients));
+    const V x = load(set_.x, first);
+    const V y = load(set_.y, first);
+    const auto along = [&](int i) HWY_ATTR {
+      const double* c = tracks_->coefficients().data() + i;
+      return hn::GatherIndex(D(), c, at) * x + hn::GatherIndex(D(), c + 1, at) * y;
+    };
+    const auto put = [&](EyeRays::Values& values, V value) HWY_ATTR {
+      save(values, first, hn::IfThenElse(wanted, value, load(values, first)));
+    };
+    const auto knots = hn::ConvertTo(longs, piece);
+    put(set_.begin, hn::GatherIndex(D(), knots_m.data(), knots));
+    put(set_.end, hn::GatherIndex(D(), knots_m.data() + 1, knots));
+    put(set_.start_u, of(eye_u_) + along(0));
+    put(set_.start_v, of(eye_v_) + along(2));
+    const auto put_rate = [&](EyeRays::Values& rates, EyeRays::Values& metres, V rate) HWY_ATTR {
+      const V inverse = of(1) / rate;
+      const M finite = hn::Abs(inverse) < hn::Inf(D());
+      put(rates, hn::IfThenElseZero(finite, rate));
+      put(metres, hn::IfThenElseZero(finite, inverse));
+    };
+    put_rate(set_.rate_u, set_.metres_u, along(4));
+    put_rate(set_.rate_v, set_.metres_v, along(6));
+  }
+
+  HWY_INLINE void load_walk(Registers& r, std::size_t first) const {
+    r.column = load(set_.column, first);
+    r.row = load(set_.row, first);
+    r.g = load(set_.g, first);
+    r.u = load(set_.u, first);
+    r.v = load(set_.v, first);
+    r.z = load(set_.z, first);
+  }
+
+  // Puts rays into their cells at a distance. False: that is not over the grid.
+  HWY_INLINE M seat(Registers& r, V start_m) const {
+    const V u = r.start_u + r.rate_u * (start_m - r.begin);
+    const V v = r.start_v + r.rate_v * (start_m - r.begin);
+    const V last_column = grid_.columns() - of(2);
+    const V last_row = grid_.rows() - of(2);
+    // Lanes without a ray may hold NaN.
+    r.column = hn::IfThenElseZero(u >= of(0), hn::Min(hn::Floor(u), last_column));
+    r.row = hn::IfThenElseZero(v >= of(0), hn::Min(hn::Floor(v), last_row));
+    return hn::And(hn::And(u >= of(0), v >= of(0)),
+                   hn::And(u <= last_column + of(1), v <= last_row + of(1)));
+  }
+
+  // Where the lanes came into their cells. True: as the single ray's walk does.
+  HWY_INLINE M enter(Registers& r) const {
+    const M at_eye = hn::And(r.column == of(eye_column_), r.row == of(eye_row_));
+    const M entered = grid_.enter_cell(r);
+    r.g = hn::IfThenElse(at_eye, of(0), r.g);
+    r.u = hn::IfThenElse(at_eye, of(eye_u_), r.u);
+    r.v = hn::IfThenElse(at_eye, of(eye_v_), r.v);
+    r.z = hn::IfThenElse(at_eye, of(eye_z_), r.z);
+    return hn::Or(entered, at_eye);
+  }
+
+  const Terrain& terrain_;
+  VectorGrid grid_;
+  RaySet& set_;
+  double step_back_m_;
+  const EyeTracks* tracks_;
+  double eye_u_ = 0;
+  double eye_v_ = 0;
+  // Where the eye is not over ground, no cell is its cell.
+  double eye_column_ = -2;
+  double eye_row_ = -2;
+  double eye_z_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace terrview
+HWY_AFTER_NAMESPACE();
+
+#endif
