@@ -73,7 +73,7 @@ FrameWork trace_strips(const Terrain& terrain, const ColumnView& view, int threa
   return {.tests = tests, .nodes = nodes};
 }
 
-// The way the program goes by default.
+// The way the program goes by default: as render/pixel_tracer.h chooses.
 Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
   const Method method{name, SurfaceModel::hyperboloid, Search::pyramid, earth};
   Contender contender = scalar(dem, method);
@@ -81,14 +81,14 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
     ViewTracer tracer = scalar_place(view);
     const auto columns = column_view(view.camera);
     const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
-    if (EyeFront::serves(*terrain)) {
+    if (columns && has_columns(*terrain)) {
+      tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
+        return trace_strips(*terrain, columns, threads, frame);
+      };
+    } else if (EyeFront::serves(*terrain)) {
       tracer.primary = [terrain, &view](int threads, TracedFrame& frame) {
         const auto front = view_front(*terrain, view.camera);
         return trace_front(*front, view.camera, threads, frame);
-      };
-    } else if (columns && has_columns(*terrain)) {
-      tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
-        return trace_strips(*terrain, columns, threads, frame);
       };
     }
     return tracer;

@@ -1,6 +1,5 @@
 #include "cli/view_command.h"
 
-#include <chrono>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -19,24 +18,11 @@
 #include "cli/view_setup.h"
 #include "cli/view_window.h"
 #include "render/image_file.h"
+#include "render/stopwatch.h"
 #include "render/write_file.h"
 
 namespace terrview {
 namespace {
-
-class Stopwatch {
- public:
-  // Seconds since the last call, or since the start.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 bool shows_bar(const ViewOptions& options) {
   return !options.quiet && (options.progress || stderr_is_terminal());

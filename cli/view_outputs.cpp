@@ -116,17 +116,8 @@ double peak_memory_mib() {
 
 // The angle of one pixel in the middle of the picture, `reach_m` away if that matters.
 double pixel_rad(const Camera& camera, double reach_m) {
-  const CameraOptions& options = camera.options();
-  const double width_px = options.size_px.x;
-  switch (options.projection) {
-    case Projection::perspective:
-      return std::tan(options.fov_rad / 2) / (width_px / 2);
-    case Projection::cylindrical:
-      return options.fov_rad / width_px;
-    case Projection::orthographic:
-      return options.width_m / width_px / reach_m;
-  }
-  return 0;
+  const bool parallel = camera.options().projection == Projection::orthographic;
+  return parallel ? camera.pixel_size() / reach_m : camera.pixel_size();
 }
 
 Json eye_json(const ViewFrame::Eye& eye) {

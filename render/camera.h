@@ -44,6 +44,9 @@ class Camera {
   // Where a point of the view frame falls on the image; nullopt behind the camera.
   [[nodiscard]] std::optional<glm::dvec2> project(const glm::dvec3& point_m) const;
 
+  // Of one pixel in the middle: on the image plane at distance 1, in radians (cylindrical), or in
+  // metres (orthographic).
+  [[nodiscard]] double pixel_size() const { return per_px_; }
   [[nodiscard]] const CameraOptions& options() const { return options_; }
   // The size of a pixel: on the image plane at distance 1, radians, or metres of an orthographic
   // one.

@@ -1,7 +1,6 @@
 #include "render/sampling.h"
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -9,24 +8,11 @@
 
 #include "render/parallel.h"
 #include "render/pixel_tracer.h"
+#include "render/stopwatch.h"
 #include "render/view_front.h"
 
 namespace terrview {
 namespace {
-
-class Stopwatch {
- public:
-  // Seconds since the last call, or since the start.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 RenderCounts count_of(const std::vector<std::optional<Hit>>& hits, const TraceCounts& traced) {
   RenderCounts counts;

@@ -36,13 +36,6 @@ HWY_INLINE V sectors_of(V x, V y, int a_side) {
   return hn::IfThenElseZero(place >= of(0), sector);
 }
 
-HWY_INLINE void save_rate(EyeRays::Values& rates, EyeRays::Values& metres, std::size_t i, V rate) {
-  const V inverse = of(1) / rate;
-  const M finite = hn::Abs(inverse) < hn::Inf(D());
-  save(rates, i, hn::IfThenElseZero(finite, rate));
-  save(metres, i, hn::IfThenElseZero(finite, inverse));
-}
-
 // Ground lines and slopes, as ground_line() and ray_slope() find them; straight tracks, as
 // track_piece(); and the places in the front's starts.
 void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
@@ -66,8 +59,12 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
     save(set.slope, i, slope);
     if (jacobian) {
       const glm::dmat2& j = *jacobian;
-      save_rate(set.rate_u, set.metres_u, i, of(j[0][0]) * x + of(j[1][0]) * y);
-      save_rate(set.rate_v, set.metres_v, i, of(j[0][1]) * x + of(j[1][1]) * y);
+      const VectorRate u = invertible(of(j[0][0]) * x + of(j[1][0]) * y);
+      const VectorRate v = invertible(of(j[0][1]) * x + of(j[1][1]) * y);
+      save(set.rate_u, i, u.rate);
+      save(set.rate_v, i, v.rate);
+      save(set.metres_u, i, u.metres);
+      save(set.metres_v, i, v.metres);
     } else {
       save(set.sector, i, sectors_of(x, y, tracks->sectors_a_side()));
     }

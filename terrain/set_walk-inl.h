@@ -177,14 +177,12 @@ class SetWalk {
     put(set_.end, hn::GatherIndex(D(), knots_m.data() + 1, knots));
     put(set_.start_u, of(eye_u_) + along(0));
     put(set_.start_v, of(eye_v_) + along(2));
-    const auto put_rate = [&](EyeRays::Values& rates, EyeRays::Values& metres, V rate) HWY_ATTR {
-      const V inverse = of(1) / rate;
-      const M finite = hn::Abs(inverse) < hn::Inf(D());
-      put(rates, hn::IfThenElseZero(finite, rate));
-      put(metres, hn::IfThenElseZero(finite, inverse));
-    };
-    put_rate(set_.rate_u, set_.metres_u, along(4));
-    put_rate(set_.rate_v, set_.metres_v, along(6));
+    const VectorRate u = invertible(along(4));
+    const VectorRate v = invertible(along(6));
+    put(set_.rate_u, u.rate);
+    put(set_.rate_v, v.rate);
+    put(set_.metres_u, u.metres);
+    put(set_.metres_v, v.metres);
   }
 
   HWY_INLINE void load_walk(Registers& r, std::size_t first) const {

@@ -79,6 +79,16 @@ class VectorFrame {
   V half_refraction_;
 };
 
+// Posts per metre along a track and the inverse, as set_metres() has them.
+struct VectorRate {
+  V rate, metres;
+};
+HWY_INLINE VectorRate invertible(V rate) {
+  const V metres = of(1) / rate;
+  const M is_finite = hn::Abs(metres) < hn::Inf(D());
+  return {hn::IfThenElseZero(is_finite, rate), hn::IfThenElseZero(is_finite, metres)};
+}
+
 // The posts of one grid.
 class VectorPosts {
  public:

@@ -1,7 +1,6 @@
 #include "terrain/column_tracer.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "terrain/terrain.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/judge.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
@@ -118,16 +118,11 @@ TEST(TraceColumns, HasThemAlongDiagonalsFromAPost) {
 }
 
 TEST(TraceColumns, HasThemUnderEveryInstructionSet) {
-  std::int64_t targets = hwy::SupportedTargets();
-  for (; targets != 0; targets &= targets - 1) {
-    hwy::SetSupportedTargetsForTest(targets & -targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  under_every_instruction_set([] {
     expect_same_bits(5, Position::general, [](Random& random) {
       return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
     });
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
 }
 
 TEST(TraceColumns, WalksEachColumnOnce) {
