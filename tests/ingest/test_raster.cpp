@@ -122,11 +122,12 @@ testing::AssertionResult says(const std::string& text, const std::vector<std::st
 }
 
 std::string shared_data(const std::string& name) {
-  const char* folder = std::getenv("TERRVIEW_TEST_DATA");
-  const std::string path =
-      (folder != nullptr ? std::string(folder) : TERRVIEW_SOURCE_DIR "/../shared/data") + "/" +
-      name;
-  return std::filesystem::exists(path) ? path : "";
+  const char* named = std::getenv("TERRVIEW_TEST_DATA");
+  const std::string folder = named != nullptr ? named : TERRVIEW_SOURCE_DIR "/../shared/data";
+  if (!std::filesystem::is_directory(folder)) return "";
+  const std::string path = folder + "/" + name;
+  if (!std::filesystem::exists(path)) throw std::runtime_error("no " + name + " in " + folder);
+  return path;
 }
 
 }  // namespace terrview
