@@ -3,12 +3,15 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "render/parallel.h"
+#include "terrain/occlusion.h"
 
 namespace terrview {
 namespace {
@@ -62,13 +65,18 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const Shadow
     TraceCounts counts;
     const auto width = static_cast<std::size_t>(rays.size_px.x);
     const std::size_t first = static_cast<std::size_t>(row) * width;
+    std::vector<Ray> sunward;
+    std::vector<std::size_t> pixels;
     for (std::size_t i = first; i < first + width; ++i) {
+      frame[i] = 0;
+      if (std::isnan(rays.x_m[i])) continue;
       const glm::dvec3 from_m(rays.x_m[i], rays.y_m[i], rays.z_m[i]);
-      const bool stopped =
-          !std::isnan(rays.x_m[i]) &&
-          terrain.occluded({.origin_m = from_m - view.eye_m, .direction = view.to_sun}, &counts);
-      frame[i] = stopped ? 1 : 0;
+      sunward.push_back({.origin_m = from_m - view.eye_m, .direction = view.to_sun});
+      pixels.push_back(i);
     }
+    std::vector<std::uint8_t> stopped(sunward.size());
+    occluded(terrain, sunward, stopped, counts);
+    for (std::size_t i = 0; i < pixels.size(); ++i) frame[pixels[i]] = stopped[i];
     tests += counts.tests;
     nodes += counts.nodes;
   });

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "terrain/occlusion.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
@@ -118,9 +119,9 @@ void add_strip(const SunDisc& disc, int strip, SunRays& rays, std::span<float> s
 }  // namespace
 
 std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> rays) {
-  std::vector<std::uint8_t> stops;
-  stops.reserve(rays.size());
-  for (const Ray& ray : rays) stops.push_back(terrain.occluded(ray) ? 1 : 0);
+  std::vector<std::uint8_t> stops(rays.size());
+  TraceCounts counts;
+  occluded(terrain, rays, stops, counts);
   return stops;
 }
 

@@ -40,6 +40,7 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
       model_(model),
       reach_m_(0),
       ceiling_m_(-std::numeric_limits<double>::infinity()),
+      height_bound_m_(0),
       has_holes_(false) {
   for (TerrainLayer& layer : layers_) {
     const HeightRange range = height_range(*layer.grid);
@@ -47,6 +48,8 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
     reach_m_ = std::max(reach_m_, layer.map->reach_m());
     ceiling_m_ = std::max(ceiling_m_,
                           frame_.ceiling_m(frame_.z_scale * range.highest_m, layer.map->reach_m()));
+    for (const double height_m : {range.lowest_m, range.highest_m})
+      height_bound_m_ = std::max(height_bound_m_, std::abs(frame_.z_scale * height_m));
     has_holes_ |= range.has_holes;
     if (search == Search::plain) continue;
     pyramids_.emplace_back(*layer.grid);

@@ -107,6 +107,8 @@ class Terrain {
   // No ground lies further from the eye, or above this z.
   [[nodiscard]] double reach_m() const { return reach_m_; }
   [[nodiscard]] double ceiling_m() const { return ceiling_m_; }
+  // No scene height lies further from 0.
+  [[nodiscard]] double height_bound_m() const { return height_bound_m_; }
   // Whether some post of some layer has no height.
   [[nodiscard]] bool has_holes() const { return has_holes_; }
 
@@ -117,6 +119,7 @@ class Terrain {
   std::vector<HeightPyramid> pyramids_;
   double reach_m_;
   double ceiling_m_;
+  double height_bound_m_;
   bool has_holes_;
 };
 

@@ -70,6 +70,24 @@ class VectorFrame {
     return drop + stretch * (scene_height - eye_) / (of(1) + curvature * scene_height);
   }
 
+  // 1 / R towards a point.
+  HWY_INLINE V curvature(V x, V y) const {
+    const V x2 = x * x;
+    const V y2 = y * y;
+    const V s2 = x2 + y2;
+    return hn::IfThenElse(s2 > of(0), (x2 * east_ + y2 * north_) / s2, north_);
+  }
+
+  // Nearly VerticalFrame::at({x, y}).scene_height_m(z) / z_scale, over an Earth of this curvature.
+  HWY_INLINE V height(V x, V y, V z, V curvature) const {
+    if (flat_) return (z + eye_) / scale_;
+    const V s2_over_r = x * x * east_ + y * y * north_;
+    const V gamma2 = s2_over_r * curvature;
+    const V drop = s2_over_r * (half_refraction_ - series(kHalfTangent, gamma2));
+    const V w = (z - drop) / series(kInverseSinc, gamma2);
+    return (w + eye_) / ((of(1) - curvature * w) * scale_);
+  }
+
  private:
   bool flat_;
   V eye_;

@@ -92,6 +92,17 @@ double VerticalFrame::ceiling_m(double scene_height_m, double reach_m) const {
   return highest;
 }
 
+VerticalFrame::Bend VerticalFrame::bend(double height_bound_m) const {
+  const double across = std::abs(north_curvature_per_m - east_curvature_per_m);
+  const double least_m = -across * height_bound_m * (height_bound_m + std::abs(eye_height_m));
+  return {least_m, 1.5 * std::max(north_curvature_per_m, east_curvature_per_m)};
+}
+
+bool VerticalFrame::is_convex(double reach_m) const {
+  const double gamma = reach_m * std::max(north_curvature_per_m, east_curvature_per_m);
+  return is_flat() || (gamma < 0.2 && refraction >= -1 && refraction <= 0.9);
+}
+
 VerticalFrame::Slopes VerticalFrame::slopes(double lowest_m, double highest_m,
                                             double reach_m) const {
   const double gamma = reach_m * std::max(north_curvature_per_m, east_curvature_per_m);

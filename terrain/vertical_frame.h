@@ -74,6 +74,19 @@ struct VerticalFrame {
   // An upper bound of z for scene heights up to `scene_height_m`, within `reach_m` of the eye.
   [[nodiscard]] double ceiling_m(double scene_height_m, double reach_m) const;
 
+  // How the height of a straight line above the ellipsoid bends: at the distance g from a point it
+  // lies at least `least_m` and at most `most_per_m2 (1 + 2 slope^2) g^2 - least_m` above its
+  // tangent there, while its scene height stays within `height_bound_m` of 0. The tangent is that
+  // of the line over an Earth as round in all directions as it is towards the point: next to the
+  // eye the curvature turns with the azimuth. Needs is_convex().
+  struct Bend {
+    double least_m;
+    double most_per_m2;
+  };
+  [[nodiscard]] Bend bend(double height_bound_m) const;
+  // Within `reach_m` of the eye.
+  [[nodiscard]] bool is_convex(double reach_m) const;
+
   // Bounds (but for rounding) of dz/dh for scene heights from `lowest_m` to `highest_m`, within
   // `reach_m` of the eye.
   struct Slopes {

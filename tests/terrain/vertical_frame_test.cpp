@@ -148,5 +148,50 @@ TEST(VerticalFrame, UnderTheEyeZIsTheHeightAboveIt) {
   EXPECT_NEAR(frame.at({0, 1e-9}).z_m(990), frame.at({0, 0}).z_m(990), 1e-13);
 }
 
+TEST(VerticalFrame, BoundsHowTheHeightOfALineBends) {
+  constexpr double kHeightBound_m = 9000;
+  Random random(8);
+  for (int i = 0; i < 20000; ++i) {
+    const VerticalFrame frame{.eye_height_m = random.uniform(-400, 9000),
+                              .z_scale = 1,
+                              .north_curvature_per_m = random.uniform(0.99, 1.01) / 6.37e6,
+                              .east_curvature_per_m = random.uniform(0.99, 1.01) / 6.37e6,
+                              .refraction = random.uniform(-1, 0.9)};
+    const double reach_m = random.log_uniform(1, 0.19 * 6.37e6);
+    ASSERT_TRUE(frame.is_convex(reach_m));
+    const double azimuth_rad = random.uniform(0, 6.3);
+    const glm::dvec2 along(std::sin(azimuth_rad), std::cos(azimuth_rad));
+    const glm::dvec2 start_m(random.uniform(-0.7, 0.7) * reach_m,
+                             random.uniform(-0.7, 0.7) * reach_m);
+    const double slope = random.sign() * random.log_uniform(1e-4, 20);
+    const double z_m = frame.at(start_m).z_m(random.uniform(0, kHeightBound_m));
+    const auto height_m = [&](double g_m) {
+      return frame.at(start_m + g_m * along).scene_height_m(z_m + slope * g_m);
+    };
+    const auto s2_over_r = [&](glm::dvec2 p) {
+      return p.x * p.x * frame.east_curvature_per_m + p.y * p.y * frame.north_curvature_per_m;
+    };
+    const double curvature_per_m = s2_over_r(start_m) / glm::dot(start_m, start_m);
+    const auto round_height_m = [&](double g_m) {
+      const glm::dvec2 p = start_m + g_m * along;
+      const double gamma = std::sqrt(s2_over_r(p) * curvature_per_m);
+      const double drop_m = frame.at(p).z_m(frame.eye_height_m);
+      const double w_m = (z_m + slope * g_m - drop_m) * std::sin(gamma) / gamma;
+      return (w_m + frame.eye_height_m) / (1 - curvature_per_m * w_m);
+    };
+    const double tangent = (round_height_m(1) - round_height_m(-1)) / 2;
+    const double length_m = random.log_uniform(1, 3e4);
+    if (std::abs(height_m(length_m)) > kHeightBound_m) continue;
+    const double above_m = height_m(length_m) - height_m(0) - tangent * length_m;
+    const auto bend = frame.bend(kHeightBound_m);
+    // The tangent is found to 1e-9 of its length.
+    const double rounding_m = 1e-9 * length_m;
+    EXPECT_GE(above_m, bend.least_m - rounding_m) << "slope " << slope;
+    EXPECT_LE(above_m, bend.most_per_m2 * (1 + 2 * slope * slope) * length_m * length_m -
+                           bend.least_m + rounding_m)
+        << "slope " << slope << ", " << length_m << " m";
+  }
+}
+
 }  // namespace
 }  // namespace terrview

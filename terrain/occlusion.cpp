@@ -1,0 +1,346 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "terrain/occlusion.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for every instruction set
+//
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "terrain/march-inl.h"
+#include "terrain/march_lines.h"
+#include "terrain/march_set.h"
+#include "terrain/occlusion.h"
+#include "terrain/tracer.h"
+#include "terrain/track_piece.h"
+#include "terrain/vector_ground-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace terrview {
+namespace HWY_NAMESPACE {
+
+// Lines of doubles to sets of floats, eight at a time.
+class MarchStart {
+ public:
+  MarchStart(const Terrain& terrain, MarchLines& lines, MarchSet& set)
+      : terrain_(terrain),
+        frame_(terrain.frame()),
+        posts_(*terrain.layers()[0].grid),
+        bend_(bend_of(terrain)),
+        lines_(lines),
+        set_(set) {}
+
+  void run() {
+    for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
+      put_in_cell(i);
+      rise(i);
+    }
+  }
+
+  // Lines whose directions are given, of any length, over a grid whose map is linear: they are one
+  // piece.
+  void lay_straight(std::array<March, MarchSet::kMost>& fates) {
+    const TerrainLayer& layer = terrain_.layers()[0];
+    const glm::dmat2 j = *layer.map->linear();
+    const glm::dvec2 eye_uv = layer.map->to_grid({0, 0});
+    const V last_column = of(layer.grid->columns - 1);
+    const V last_row = of(layer.grid->rows - 1);
+    for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
+      const V across_x = get(lines_.x, i);
+      const V across_y = get(lines_.y, i);
+      const V across2 = across_x * across_x + across_y * across_y;
+      const V length = hn::Sqrt(across2);
+      const V x = across_x / length;
+      const V y = across_y / length;
+      const V up = get(lines_.slope, i);
+      keep(lines_.x, i, x);
+      keep(lines_.y, i, y);
+      keep(lines_.slope, i, up / length);
+      const V x0 = get(lines_.x0, i);
+      const V y0 = get(lines_.y0, i);
+      const V u = of(eye_uv.x) + (of(j[0][0]) * x0 + of(j[1][0]) * y0);
+      const V v = of(eye_uv.y) + (of(j[0][1]) * x0 + of(j[1][1]) * y0);
+      keep(lines_.start_u, i, u);
+      keep(lines_.start_v, i, v);
+      const VectorRate rate_u = invertible(of(j[0][0]) * x + of(j[1][0]) * y);
+      const VectorRate rate_v = invertible(of(j[0][1]) * x + of(j[1][1]) * y);
+      keep(lines_.rate_u, i, rate_u.rate);
+      keep(lines_.rate_v, i, rate_v.rate);
+      keep(lines_.metres_u, i, rate_u.metres);
+      keep(lines_.metres_v, i, rate_v.metres);
+      keep(lines_.begin, i, of(0));
+      keep(lines_.end, i, hn::Inf(D()));
+      // As is_vertical(), or nearly: those near it go the sure way. NaN too.
+      const M slanted = across2 > of(4e-24) * up * up;
+      const M over_grid =
+          hn::And(hn::And(u >= of(0), u <= last_column), hn::And(v >= of(0), v <= last_row));
+      const M endless = get(lines_.to, i) == hn::Inf(D());
+      const M known = hn::And(hn::And(slanted, endless), over_grid);
+      mark(i, ~bits_of(known) & lanes_from(i), March::undecided, fates);
+    }
+  }
+
+  // Lanes that begin below the ground, as the single ray finds it; the others begin at the
+  // beginning of their line.
+  void check_starts(std::array<March, MarchSet::kMost>& fates) const {
+    for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
+      const V clearance = start_clearance(i);
+      const std::uint32_t lanes = lanes_from(i);
+      mark(i, bits_of(clearance < of(0)) & lanes, March::stopped, fates);
+      mark(i, ~bits_of(clearance == clearance) & lanes, March::undecided, fates);
+    }
+  }
+
+ private:
+  HWY_INLINE V get(const MarchLines::Doubles& values, std::size_t first) const {
+    return hn::Load(D(), values.data() + first);
+  }
+  HWY_INLINE void keep(MarchLines::Doubles& values, std::size_t first, V value) const {
+    hn::Store(value, D(), values.data() + first);
+  }
+  HWY_INLINE std::uint32_t lanes_from(std::size_t first) const {
+    return (1U << std::min(hn::Lanes(D()), lines_.count - first)) - 1;
+  }
+  HWY_INLINE void put(MarchSet::Floats& values, std::size_t first, V value) const {
+    const hn::Rebind<float, D> floats;
+    hn::Store(hn::DemoteTo(floats, value), floats, values.data() + first);
+  }
+  HWY_INLINE void put(MarchSet::Ints& values, std::size_t first, V value) const {
+    const hn::Rebind<std::int32_t, D> ints;
+    hn::Store(hn::DemoteTo(ints, value), ints, values.data() + first);
+  }
+
+  void mark(std::size_t first, std::uint32_t lanes, March fate,
+            std::array<March, MarchSet::kMost>& fates) const {
+    for (; lanes != 0; lanes &= lanes - 1)
+      fates[static_cast<std::size_t>(
+          lines_.index[first + static_cast<std::size_t>(__builtin_ctz(lanes))])] = fate;
+  }
+
+  HWY_INLINE V cell(V uv, int posts) const {
+    return hn::Max(of(0), hn::Min(hn::Floor(uv), of(posts - 2)));
+  }
+
+  // As GridWalk stands at the beginning of a line; NaN over a hole.
+  HWY_INLINE V start_clearance(std::size_t first) const {
+    const HeightGrid& grid = *terrain_.layers()[0].grid;
+    const V u = get(lines_.start_u, first);
+    const V v = get(lines_.start_v, first);
+    const V column = cell(u, grid.columns);
+    const V row = cell(v, grid.rows);
+    const V f_u = hn::Min(hn::Max(u - column, of(0)), of(1));
+    const V f_v = hn::Min(hn::Max(v - row, of(0)), of(1));
+    const V columns = of(grid.columns);
+    const V post = row * columns + column;
+    const V nw = posts_.at(post);
+    const V ne = posts_.at(post + of(1));
+    const V sw = posts_.at(post + columns);
+    const V se = posts_.at(post + columns + of(1));
+    const V north = nw + f_u * (ne - nw);
+    const V south = sw + f_u * (se - sw);
+    const V x = get(lines_.x0, first);
+    const V y = get(lines_.y0, first);
+    return get(lines_.z0, first) - frame_.z(x, y, north + f_v * (south - north));
+  }
+
+  HWY_INLINE void put_in_cell(std::size_t first) {
+    const HeightGrid& grid = *terrain_.layers()[0].grid;
+    const V u = get(lines_.start_u, first);
+    const V v = get(lines_.start_v, first);
+    const V column = cell(u, grid.columns);
+    const V row = cell(v, grid.rows);
+    put(set_.column0, first, column);
+    put(set_.column, first, column);
+    put(set_.row0, first, row);
+    put(set_.row, first, row);
+    put(set_.u, first, u - column);
+    put(set_.v, first, v - row);
+    put(set_.rate_u, first, get(lines_.rate_u, first));
+    put(set_.rate_v, first, get(lines_.rate_v, first));
+    put(set_.metres_u, first, get(lines_.metres_u, first));
+    put(set_.metres_v, first, get(lines_.metres_v, first));
+    put(set_.end, first, get(lines_.end, first) - get(lines_.begin, first));
+    put(set_.g, first, of(0));
+  }
+
+  // Heights of the ray over its line: a secant over one post.
+  HWY_INLINE void rise(std::size_t first) {
+    const V begin = get(lines_.begin, first);
+    const V slope = get(lines_.slope, first);
+    const V rate = hn::Max(hn::Abs(get(lines_.rate_u, first)), hn::Abs(get(lines_.rate_v, first)));
+    const V post_m = of(1) / rate;
+    const auto x_at = [&](V g)
+                          HWY_ATTR { return get(lines_.x0, first) + get(lines_.x, first) * g; };
+    const auto y_at = [&](V g)
+                          HWY_ATTR { return get(lines_.y0, first) + get(lines_.y, first) * g; };
+    const V curvature = frame_.curvature(x_at(begin), y_at(begin));
+    const auto height = [&](V g) HWY_ATTR {
+      return frame_.height(x_at(g), y_at(g), get(lines_.z0, first) + slope * g, curvature);
+    };
+    const V start = height(begin);
+    const V climb = height(begin + post_m) - start;
+    const V bend = of(bend_.most_per_m2) * (of(1) + of(2) * slope * slope);
+    put(set_.height, first, start);
+    put(set_.rise, first, climb * rate);
+    put(set_.bend, first, bend);
+    put(set_.slack, first,
+        of(0x1p-20) * (hn::Abs(start) + hn::Abs(climb)) + bend * post_m * post_m -
+            of(2 * bend_.least_m));
+  }
+
+  // VerticalFrame::bend(), in the grid's unit of height.
+  static VerticalFrame::Bend bend_of(const Terrain& terrain) {
+    const VerticalFrame::Bend bend = terrain.frame().bend(terrain.height_bound_m());
+    const double scale = terrain.frame().z_scale;
+    return {bend.least_m / scale, bend.most_per_m2 / scale};
+  }
+
+  const Terrain& terrain_;
+  VectorFrame frame_;
+  VectorPosts posts_;
+  VerticalFrame::Bend bend_;
+  MarchLines& lines_;
+  MarchSet& set_;
+};
+
+void lay_straight(const Terrain& terrain, MarchLines& lines, MarchSet& set,
+                  std::array<March, MarchSet::kMost>& fates) {
+  MarchStart(terrain, lines, set).lay_straight(fates);
+}
+
+void check_starts(const Terrain& terrain, MarchLines& lines, MarchSet& set,
+                  std::array<March, MarchSet::kMost>& fates) {
+  MarchStart(terrain, lines, set).check_starts(fates);
+}
+
+void march(const Terrain& terrain, MarchLines& lines, MarchSet& set,
+           std::array<March, MarchSet::kMost>& fates, TraceCounts& counts) {
+  MarchStart(terrain, lines, set).run();
+  Marcher(terrain, set, fates).run(counts);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace terrview
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace terrview {
+
+HWY_EXPORT(lay_straight);
+HWY_EXPORT(check_starts);
+HWY_EXPORT(march);
+
+namespace {
+
+bool serves(const Terrain& terrain) {
+  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
+  const TerrainLayer& layer = terrain.layers()[0];
+  if (!layer.ceilings || layer.grid->heights_m.size() > (std::size_t{1} << 30)) return false;
+  return terrain.frame().z_scale > 0 && terrain.frame().is_convex(terrain.reach_m());
+}
+
+// Up to kMost rays of a terrain.
+class Batch {
+ public:
+  Batch(const Terrain& terrain, std::span<const Ray> rays) : terrain_(terrain), rays_(rays) {
+    fates_.fill(March::on_its_way);
+  }
+
+  void run(std::span<std::uint8_t> stopped, TraceCounts& counts) {
+    begin();
+    HWY_DYNAMIC_DISPATCH(check_starts)(terrain_, lines_, set_, fates_);
+    while (take_waiting()) {
+      HWY_DYNAMIC_DISPATCH(march)(terrain_, lines_, set_, fates_, counts);
+      go_on_from_knots();
+    }
+    for (std::size_t i = 0; i < rays_.size(); ++i)
+      stopped[i] = fates_[i] == March::undecided ? terrain_.occluded(rays_[i], &counts)
+                                                 : fates_[i] == March::stopped;
+  }
+
+ private:
+  [[nodiscard]] bool covers(glm::dvec2 uv) const {
+    const HeightGrid& grid = *terrain_.layers()[0].grid;
+    return uv.x >= 0 && uv.y >= 0 && uv.x <= grid.columns - 1 && uv.y <= grid.rows - 1;
+  }
+
+  void begin() {
+    if (terrain_.layers()[0].map->linear()) {
+      for (std::size_t i = 0; i < rays_.size(); ++i) lines_.aim(i, rays_[i]);
+      HWY_DYNAMIC_DISPATCH(lay_straight)(terrain_, lines_, set_, fates_);
+      take_waiting();
+    } else {
+      for (std::size_t i = 0; i < rays_.size(); ++i) lay_bent(i);
+    }
+  }
+
+  void lay_bent(std::size_t i) {
+    const GroundMap& map = *terrain_.layers()[0].map;
+    const Ray& ray = rays_[i];
+    fates_[i] = March::undecided;
+    if (is_vertical(ray)) return;
+    const GroundLine line = ground_line(ray);
+    const double slope = ray_slope(ray);
+    const double to_m =
+        std::min(leaves_disc_m(line, terrain_.reach_m()), ray.length_m / metres_per_g(slope));
+    if (!(to_m > 0)) return;
+    const TrackPiece piece = track_piece(map, line, 0, map.to_grid(line.at(0)), to_m);
+    if (!covers(piece.start)) return;
+    fates_[i] = March::on_its_way;
+    lines_.add(i, line, {ray.origin_m.z, slope}, piece, to_m);
+  }
+
+  // Packs the lines that are on their way, for a march. False: there are none.
+  bool take_waiting() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < lines_.count; ++i)
+      if (fates_[static_cast<std::size_t>(lines_.index[i])] == March::on_its_way)
+        lines_.move(i, kept++);
+    lines_.count = set_.count = kept;
+    std::copy_n(lines_.index.begin(), kept, set_.index.begin());
+    return kept > 0;
+  }
+
+  // Their tracks' next pieces for rays that stand at a knot.
+  void go_on_from_knots() {
+    const GroundMap& map = *terrain_.layers()[0].map;
+    for (std::size_t i = 0; i < lines_.count; ++i) {
+      March& fate = fates_[static_cast<std::size_t>(lines_.index[i])];
+      if (fate != March::at_knot) continue;
+      fate = March::undecided;
+      if (lines_.end[i] >= lines_.to[i]) continue;
+      const TrackPiece piece = track_piece(map, lines_.line(i), lines_.end[i],
+                                           {lines_.end_u[i], lines_.end_v[i]}, lines_.to[i]);
+      if (!covers(piece.start)) continue;
+      lines_.put(i, piece);
+      fate = March::on_its_way;
+    }
+  }
+
+  const Terrain& terrain_;
+  std::span<const Ray> rays_;
+  MarchLines lines_;
+  MarchSet set_;
+  std::array<March, MarchSet::kMost> fates_;
+};
+
+}  // namespace
+
+void occluded(const Terrain& terrain, std::span<const Ray> rays, std::span<std::uint8_t> stopped,
+              TraceCounts& counts) {
+  if (!serves(terrain)) {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      stopped[i] = terrain.occluded(rays[i], &counts) ? 1 : 0;
+    return;
+  }
+  for (std::size_t i = 0; i < rays.size(); i += MarchSet::kMost) {
+    const std::size_t count = std::min(MarchSet::kMost, rays.size() - i);
+    Batch(terrain, rays.subspan(i, count)).run(stopped.subspan(i, count), counts);
+  }
+}
+
+}  // namespace terrview
+#endif
