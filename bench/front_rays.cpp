@@ -7,11 +7,48 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 
 #include "render/parallel.h"
 #include "terrain/eye_tracer.h"
 
 namespace terrview {
+
+namespace {
+
+struct Row {
+  std::size_t first;
+  std::size_t count;
+  int cells_in_row;
+};
+
+// Loop by loop, so that the compiler may make vectors of each.
+void store_row(const EyeRays& rays, const EyeNormals& normals, const Row& row, TracedFrame& frame,
+               std::size_t pixel) {
+  const double* ground_m = rays.ground_m.data() + row.first;
+  const double* slope = rays.slope.data() + row.first;
+  double* distance_m = frame.distance_m.data() + pixel;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const double along = std::isinf(slope[i]) ? 1 : std::sqrt(1 + slope[i] * slope[i]);
+    distance_m[i] = ground_m[i] < 0 ? std::numeric_limits<double>::infinity() : ground_m[i] * along;
+  }
+  const double* cell_row = rays.row.data() + row.first;
+  const double* cell_column = rays.column.data() + row.first;
+  std::int32_t* cell = frame.cell.data() + pixel;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const bool hit = ground_m[i] >= 0;
+    const double index = hit ? cell_row[i] * row.cells_in_row + cell_column[i] : kNoCell;
+    cell[i] = static_cast<std::int32_t>(index);
+  }
+  const auto store_normal = [&](const double* from, float* to) {
+    for (std::size_t i = 0; i < row.count; ++i)
+      to[i] = ground_m[i] >= 0 ? static_cast<float>(from[i]) : 0;
+  };
+  store_normal(normals.x.data() + row.first, frame.normal_east.data() + pixel);
+  store_normal(normals.y.data() + row.first, frame.normal_north.data() + pixel);
+}
+
+}  // namespace
 
 FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
                       TracedFrame& frame) {
@@ -29,27 +66,18 @@ FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
     for (int left = 0; left < size_px.x; left += kWide_px) {
       const int columns = std::min(kWide_px, size_px.x - left);
       std::size_t i = 0;
-      for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column, ++i) {
-          rays->aim(i, camera.ray({left + column + 0.5, band * kHigh_px + row + 0.5}).direction);
-        }
+      const auto width = static_cast<std::size_t>(columns);
+      for (int row = 0; row < rows; ++row, i += width)
+        camera.aim_row({left + 0.5, band * kHigh_px + row + 0.5},
+                       {std::span(rays->direction_x).subspan(i, width),
+                        std::span(rays->direction_y).subspan(i, width),
+                        std::span(rays->direction_z).subspan(i, width)});
       rays->count = i;
       trace(front, *rays, counts);
       facet_normals(front.terrain(), *rays, *normals);
-      i = 0;
-      for (int row = 0; row < rows; ++row) {
-        std::size_t pixel = frame.index(left, band * kHigh_px + row);
-        for (int column = 0; column < columns; ++column, ++i, ++pixel) {
-          const bool hit = rays->is_hit(i);
-          frame.distance_m[pixel] =
-              hit ? rays->distance_m(i) : std::numeric_limits<double>::infinity();
-          frame.cell[pixel] = hit ? static_cast<std::int32_t>(rays->row[i]) * cells_in_row +
-                                        static_cast<std::int32_t>(rays->column[i])
-                                  : kNoCell;
-          frame.normal_east[pixel] = hit ? static_cast<float>(normals->x[i]) : 0;
-          frame.normal_north[pixel] = hit ? static_cast<float>(normals->y[i]) : 0;
-        }
-      }
+      for (int row = 0; row < rows; ++row)
+        store_row(*rays, *normals, {static_cast<std::size_t>(row) * width, width, cells_in_row},
+                  frame, frame.index(left, band * kHigh_px + row));
     }
     tests += counts.tests;
     nodes += counts.nodes;

@@ -67,6 +67,8 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const Shadow
     const std::size_t first = static_cast<std::size_t>(row) * width;
     std::vector<Ray> sunward;
     std::vector<std::size_t> pixels;
+    sunward.reserve(width);
+    pixels.reserve(width);
     for (std::size_t i = first; i < first + width; ++i) {
       frame[i] = 0;
       if (std::isnan(rays.x_m[i])) continue;

@@ -1,6 +1,7 @@
 #include "render/camera.h"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 
@@ -81,6 +82,30 @@ Ray Camera::ray(glm::dvec2 image_px) const {
       return {right_ * (right_px * per_px_) + up_ * (up_px * per_px_), forward_};
   }
   return {};
+}
+
+void Camera::aim_row(glm::dvec2 first_px, const Directions& directions) const {
+  const std::size_t count = directions.x.size();
+  if (options_.projection != Projection::perspective) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec3 d = ray(first_px + glm::dvec2(static_cast<double>(i), 0)).direction;
+      directions.x[i] = d.x;
+      directions.y[i] = d.y;
+      directions.z[i] = d.z;
+    }
+    return;
+  }
+  // Sums in the order of ray().
+  const glm::dvec2 size(options_.size_px);
+  const glm::dvec3 above = up_ * ((size.y / 2 - first_px.y) * per_px_);
+  const auto put = [&](std::span<double> values, double forward, double right, double up) {
+    for (std::size_t i = 0; i < count; ++i)
+      values[i] =
+          (forward + right * ((first_px.x + static_cast<int>(i) - size.x / 2) * per_px_)) + up;
+  };
+  put(directions.x, forward_.x, right_.x, above.x);
+  put(directions.y, forward_.y, right_.y, above.y);
+  put(directions.z, forward_.z, right_.z, above.z);
 }
 
 std::optional<glm::dvec2> Camera::project(const glm::dvec3& point_m) const {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -40,6 +41,13 @@ class Camera {
   // and perspective without pitch and roll) x and y are equal, bit for bit, along a column, and z
   // along a row.
   [[nodiscard]] Ray ray(glm::dvec2 image_px) const;
+
+  // The directions of the rays through the points first_px, first_px + (1, 0), ..., as many as x, y
+  // and z have room for, which must be alike.
+  struct Directions {
+    std::span<double> x, y, z;
+  };
+  void aim_row(glm::dvec2 first_px, const Directions& directions) const;
 
   // Where a point of the view frame falls on the image; nullopt behind the camera.
   [[nodiscard]] std::optional<glm::dvec2> project(const glm::dvec3& point_m) const;

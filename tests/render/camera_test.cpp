@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -159,6 +161,21 @@ TEST_P(EveryProjection, ProjectsThePointsOfARayOntoItsPixel) {
 INSTANTIATE_TEST_SUITE_P(Camera, EveryProjection,
                          testing::Values(Projection::perspective, Projection::cylindrical,
                                          Projection::orthographic));
+
+TEST_P(EveryProjection, AimsARowAsItAimsItsRays) {
+  const Camera camera(GetParam());
+  constexpr std::size_t kCount = 37;
+  std::array<double, kCount> x{};
+  std::array<double, kCount> y{};
+  std::array<double, kCount> z{};
+  for (const glm::dvec2 first_px : {glm::dvec2(0.5, 0.5), glm::dvec2(100.3, 77.9)}) {
+    camera.aim_row(first_px, {x, y, z});
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const glm::dvec2 at_px = first_px + glm::dvec2(static_cast<double>(i), 0);
+      EXPECT_EQ(glm::dvec3(x[i], y[i], z[i]), camera.ray(at_px).direction);
+    }
+  }
+}
 
 TEST(PerspectiveCamera, ProjectsNothingFromBehind) {
   const Camera camera({.heading_rad = kPi / 2});
