@@ -148,8 +148,7 @@ std::vector<Contender> terrview_contenders(const BenchDem& dem, const IsWanted& 
   std::vector<Contender> contenders{frame_writer(), default_way(dem, kDefaultWay, BenchEarth::flat),
                                     default_way(dem, kCurvedWay, BenchEarth::curved),
                                     default_way(dem, kBentWay, BenchEarth::bent)};
-  for (const SurfaceModel surface :
-       {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
+  for (const SurfaceModel surface : kSurfaceModels) {
     contenders.push_back(scalar(dem, {"terrview-plain", surface, Search::plain}));
     contenders.push_back(scalar(dem, {"terrview-pyramid", surface, Search::pyramid}));
   }

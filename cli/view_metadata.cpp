@@ -72,18 +72,6 @@ Json palette_json(const PaletteOptions& options) {
   return json;
 }
 
-const char* name_of(SurfaceModel surface) {
-  switch (surface) {
-    case SurfaceModel::hyperboloid:
-      return "hyperboloid";
-    case SurfaceModel::triangles:
-      return "triangles";
-    case SurfaceModel::bilinear:
-      return "bilinear";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string view_metadata(const ViewOptions& options, const ResolvedView& view,

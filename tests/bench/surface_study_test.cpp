@@ -43,8 +43,7 @@ TEST(ErrorsAtDroppedPosts, AreThoseOfAParaboloidInClosedForm) {
           static_cast<float>(column * column + row * row);
   const BenchDem dem = make_bench_dem("bowl", grid, {1, 0, 0, -1});
   // The mean of the four corners of a cell 2 wide is 2 m above the middle, any diagonal's, too.
-  for (const SurfaceModel model :
-       {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
+  for (const SurfaceModel model : kSurfaceModels) {
     const HeightErrors errors = errors_at_dropped_posts(dem, model);
     EXPECT_NEAR(errors.rms_m, 2, 1e-6);
     EXPECT_NEAR(errors.most_m, 2, 1e-6);
