@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "terrain/grid_walk.h"
@@ -125,6 +126,8 @@ class Tracer {
     // Another layer may fill the holes.
     if (has_holes && terrain_.layers().size() > 1) return false;
     if (std::isinf(range.highest_m)) return true;
+    // Bands end at holes, which only the walk finds.
+    if (has_holes && terrain_.model() == SurfaceModel::band) return false;
     const VerticalFrame& frame = terrain_.frame();
     const double highest_m = frame.z_scale * range.highest_m;
     const double ceiling_m = frame.ceiling_between(highest_m, line_.at(from_m), line_.at(to_m));
@@ -192,8 +195,11 @@ class Tracer {
     const double distance_m = g_m * metres_per_g_;
     trace_.outcome = Outcome::hit;
     trace_.ground_m = g_m;
-    trace_.hit = {distance_m, glm::dvec3(line_.at(g_m), ray_z(g_m)), grid, span.cell,
-                  span.in.uv + share * (span.out.uv - span.in.uv)};
+    const glm::dvec2 uv = span.in.uv + share * (span.out.uv - span.in.uv);
+    const glm::ivec2 cell =
+        glm::clamp(glm::ivec2(glm::floor(uv)), glm::min(span.cell, span.last_cell),
+                   glm::max(span.cell, span.last_cell));
+    trace_.hit = {distance_m, glm::dvec3(line_.at(g_m), ray_z(g_m)), grid, cell, uv};
     return false;
   }
 

@@ -22,7 +22,7 @@ TEST(HeightSeen, DependsOnTheRaysPlaneForTheHyperboloidAlone) {
   }
 }
 
-TEST(GroundMotion, IsThatOfTheHyperboloidAndOfNoOther) {
+TEST(GroundMotion, IsThatOfTheModelsThatDependOnTheRaysPlane) {
   const BenchDem dem = synthetic_mountains(129);
   const BenchView view = walkers_view(dem, {64, 36});
   for (const SurfaceModel model : {SurfaceModel::triangles, SurfaceModel::bilinear}) {
@@ -30,9 +30,11 @@ TEST(GroundMotion, IsThatOfTheHyperboloidAndOfNoOther) {
     EXPECT_LT(still.height_m.most, 1e-9);
     EXPECT_LT(still.sweep_px, 1e-5);
   }
-  const Motion moving = ground_motion(dem, view, SurfaceModel::hyperboloid);
-  EXPECT_GT(moving.height_m.most, 1e-4);
-  EXPECT_GE(moving.sweep_px, moving.screen_px.p50);
+  for (const SurfaceModel model : {SurfaceModel::hyperboloid, SurfaceModel::band}) {
+    const Motion moving = ground_motion(dem, view, model);
+    EXPECT_GT(moving.height_m.most, 1e-4);
+    EXPECT_GE(moving.sweep_px, moving.screen_px.p50);
+  }
 }
 
 TEST(ErrorsAtDroppedPosts, AreThoseOfAParaboloidInClosedForm) {
