@@ -44,6 +44,8 @@ void check_projection(const ViewOptions& given, Projection projection) {
         "--fov");
   if (given.fov_deg && orthographic)
     throw InputError("--fov: an orthographic view has parallel rays: give --width METRES instead");
+  if (given.coherence == Coherence::neighbours && orthographic)
+    throw InputError("--coherence neighbours: needs an eye: leave it out for an orthographic view");
 }
 
 void check_sampling(const ViewOptions& options) {

@@ -96,6 +96,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["samples"] = samples_json(options.sampling);
   json["lod"] = options.sampling.detail;
   json["surface"] = name_of(options.surface);
+  if (options.coherence == Coherence::neighbours) json["coherence"] = "neighbours";
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
   if (!options.colors.empty()) json["colors"] = file_name(options.colors);
   if (wants_palette(options.palette)) json["palette"] = palette_json(options.palette);

@@ -71,8 +71,11 @@ void add_ground_options(CLI::App& app, ViewOptions& options) {
          "curved (default), or flat: the affine map at the eye, no drop")
       ->check(CLI::IsMember({"curved", "flat"}))
       ->type_name("curved|flat");
-  add_switch(app, "--coherence", options.coherence,
-             "off: trace every ray on its own, cell by cell; the same picture, later");
+  add_choice<Coherence>(
+      app, "--coherence", options.coherence,
+      {{"on", Coherence::on}, {"off", Coherence::off}, {"neighbours", Coherence::neighbours}},
+      "off: trace every ray on its own, cell by cell; the same picture, later. neighbours: begin "
+      "each where its neighbours hit, which may miss thin peaks; for study");
   add_number(app, "--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
 }
 

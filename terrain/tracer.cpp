@@ -43,10 +43,11 @@ double first_root(double above, double below, double bend) {
 // The walk of one ray, which is z = z0 + slope * g over its ground line.
 class Tracer {
  public:
-  Tracer(const Terrain& terrain, double ceiling_m, const Ray& ray)
+  Tracer(const Terrain& terrain, double ceiling_m, const Ray& ray, double clear_m)
       : terrain_(terrain),
         ceiling_m_(ceiling_m),
         ray_(ray),
+        clear_m_(clear_m),
         line_(ground_line(ray)),
         slope_(ray_slope(ray)),
         metres_per_g_(metres_per_g(slope_)) {}
@@ -91,6 +92,11 @@ class Tracer {
         continue;
       }
       if (!walk.next(span)) break;
+      if (span.out.g_m <= clear_m_) {
+        pass(span);
+        covered_m = span.out.g_m;
+        continue;
+      }
       if (!span.has_ground) continue;
       if (!cover_gap(span.in.g_m)) return false;
       if (!cross_span(static_cast<int>(index), span)) return false;
@@ -111,7 +117,8 @@ class Tracer {
     for (; search.level >= kFirst; --search.level) {
       ++trace_.counts.nodes;
       const auto exit = walk.block_exit(search.level);
-      if (exit && exit->g_m < to_m &&
+      if (!exit || exit->g_m >= to_m) continue;
+      if (exit->g_m <= clear_m_ ||
           clears(pyramid.block(search.level, walk.cell()), walk.position_m(), exit->g_m))
         return exit;
     }
@@ -156,6 +163,13 @@ class Tracer {
     const VerticalFrame& frame = terrain_.frame();
     return ray_z(crossing.g_m) -
            frame.at(line_.at(crossing.g_m)).z_m(frame.z_scale * crossing.height_m);
+  }
+
+  // Takes it as known that the ray is above a span.
+  void pass(const Span& span) {
+    on_ground_ = span.has_ground;
+    grid_of_last_ = kNoGrid;
+    last_m_ = span.out.g_m;
   }
 
   bool cross_span(int grid, const Span& span) {
@@ -206,6 +220,7 @@ class Tracer {
   const Terrain& terrain_;
   double ceiling_m_;
   const Ray& ray_;
+  double clear_m_;
   GroundLine line_;
   double slope_;         // dz / dg
   double metres_per_g_;  // along the ray, per metre of ground
@@ -256,9 +271,9 @@ GroundLine ground_line(const Ray& ray) {
   return {glm::dvec2(ray.origin_m), across / glm::length(across)};
 }
 
-Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray) {
+Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray, double clear_m) {
   if (is_vertical(ray)) return trace_vertical(terrain, ray);
-  return Tracer(terrain, ceiling_m, ray).run();
+  return Tracer(terrain, ceiling_m, ray, clear_m).run();
 }
 
 }  // namespace terrview

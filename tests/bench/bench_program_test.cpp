@@ -59,6 +59,7 @@ TEST_F(BenchProgram, EveryTracerOfTerrviewSeesWhatThePlainOneSees) {
   int seen = 0;
   for (const Json& result : run_.at("results")) {
     if (!result.at("contender").get<std::string>().starts_with("terrview")) continue;
+    if (result.at("contender") == kNeighbourWay) continue;
     if (result.at("rays") == "file-to-png") continue;
     SCOPED_TRACE(result.dump());
     ++seen;
@@ -67,6 +68,23 @@ TEST_F(BenchProgram, EveryTracerOfTerrviewSeesWhatThePlainOneSees) {
     EXPECT_EQ(result.at("max_rel_error"), 0);
   }
   EXPECT_GT(seen, 0);
+}
+
+TEST_F(BenchProgram, SaysWhatTheThesissRuleMisses) {
+  int seen = 0;
+  for (const Json& result : run_.at("results")) {
+    if (result.at("contender") != kNeighbourWay) continue;
+    SCOPED_TRACE(result.dump());
+    ++seen;
+    EXPECT_EQ(result.at("rays"), "primary");
+    EXPECT_GT(result.at("tests_per_ray"), 0);
+    EXPECT_LT(result.at("cells_differ"), 0.2);
+    // Level views are columns of vertical planes, where nothing is missed.
+    if (result.at("view") != "horizon" && result.at("view") != "gridline") continue;
+    EXPECT_EQ(result.at("hit_flips"), 0);
+    EXPECT_EQ(result.at("max_rel_error"), 0);
+  }
+  EXPECT_GE(seen, 6 * 2);
 }
 
 TEST_F(BenchProgram, TimesWholePicturesBesideEmbreesBuildAndRays) {
