@@ -1,5 +1,7 @@
 #include "bench/bench_result.h"
 
+#include <algorithm>
+
 namespace terrview {
 namespace {
 
@@ -51,16 +53,16 @@ void read(const Json& json, std::optional<Value>& value) {
 
 }  // namespace
 
-std::string name_of(SurfaceModel model) {
-  switch (model) {
-    case SurfaceModel::hyperboloid:
-      return "hyperboloid";
-    case SurfaceModel::triangles:
-      return "triangles";
-    case SurfaceModel::bilinear:
-      break;
-  }
-  return "bilinear";
+bool is_same_frame(const BenchResult& a, const BenchResult& b) {
+  return a.dem == b.dem && a.view == b.view && a.rays == b.rays && a.threads == b.threads;
+}
+
+const BenchResult* beside(const std::vector<BenchResult>& results, const BenchResult& one,
+                          const std::string& contender) {
+  const auto found = std::find_if(results.begin(), results.end(), [&](const BenchResult& other) {
+    return is_same_frame(other, one) && other.contender == contender;
+  });
+  return found == results.end() ? nullptr : &*found;
 }
 
 Json to_json(const BenchRun& run) {

@@ -8,8 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "terrain/surface_model.h"
-
 namespace terrview {
 
 struct BenchResult {
@@ -41,7 +39,12 @@ struct BenchRun {
   std::vector<BenchResult> results;
 };
 
-[[nodiscard]] std::string name_of(SurfaceModel model);
+// Whether both come from the same rays on the same threads.
+[[nodiscard]] bool is_same_frame(const BenchResult& a, const BenchResult& b);
+
+// The result of the same rays on the same threads by another contender; null if there is none.
+[[nodiscard]] const BenchResult* beside(const std::vector<BenchResult>& results,
+                                        const BenchResult& one, const std::string& contender);
 
 // What does not apply is null.
 [[nodiscard]] nlohmann::ordered_json to_json(const BenchRun& run);

@@ -57,6 +57,9 @@ inline constexpr const char* kDefaultWay = "terrview";
 inline constexpr const char* kCurvedWay = "terrview-curved";
 inline constexpr const char* kBentWay = "terrview-bent";
 
+// The thesis's rule, which may miss: render/neighbour_tracer.h.
+inline constexpr const char* kNeighbourWay = "terrview-neighbours";
+
 // "3.13.5", or empty.
 [[nodiscard]] std::string embree_version();
 

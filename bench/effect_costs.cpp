@@ -9,8 +9,8 @@
 
 #include "bench/bench_view.h"
 #include "bench/light_study.h"
+#include "bench/psnr.h"
 #include "bench/study_text.h"
-#include "render/color_ramp.h"
 #include "render/daylight.h"
 #include "render/render.h"
 #include "render/shadows.h"
@@ -77,17 +77,6 @@ struct Cost {
     return seconds[seconds.size() / 2];
   }
 };
-
-double psnr_db(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      const double step = to_srgb(a.pixels()[i][c]) - to_srgb(b.pixels()[i][c]);
-      sum += step * step;
-    }
-  }
-  return -10 * std::log10(sum / (3 * static_cast<double>(a.pixels().size())));
-}
 
 // Half of the ground in the picture lies nearer.
 double median_distance_m(const Scene& bare, const Camera& camera) {

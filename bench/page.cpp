@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <string_view>
 
 #include "bench/contender.h"
 #include "bench/report.h"
+#include "bench/study_text.h"
 
 namespace terrview {
 namespace {
@@ -16,31 +15,12 @@ using Results = std::vector<BenchResult>;
 constexpr std::string_view kBegin = "<!-- terrview-bench --page: begin -->\n";
 constexpr std::string_view kEnd = "<!-- terrview-bench --page: end -->\n";
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
-
 template <class Value>
 std::string cell(const char* pattern, const std::optional<Value>& value) {
   return value ? format(pattern, *value) : "";
 }
 
 double ns_per_ray(const BenchResult& result) { return 1e3 / result.mrays_per_s; }
-
-bool is_same_frame(const BenchResult& a, const BenchResult& b) {
-  return a.dem == b.dem && a.view == b.view && a.rays == b.rays && a.threads == b.threads;
-}
-
-const BenchResult* find(const Results& results, const BenchResult& frame,
-                        const std::string& contender) {
-  const auto found = std::find_if(results.begin(), results.end(), [&](const BenchResult& other) {
-    return is_same_frame(other, frame) && other.contender == contender;
-  });
-  return found == results.end() ? nullptr : &*found;
-}
 
 // The fastest there of those whose names begin with `family`.
 const BenchResult* best(const Results& results, const BenchResult& frame, std::string_view family) {
@@ -112,8 +92,8 @@ void write_earths(std::ostream& out, const Results& results) {
   };
   for (const char* rays : {"primary", "shadow"})
     for (const BenchResult* flat : of_terrview(results, rays)) {
-      const BenchResult* curved = find(results, *flat, kCurvedWay);
-      const BenchResult* bent = find(results, *flat, kBentWay);
+      const BenchResult* curved = beside(results, *flat, kCurvedWay);
+      const BenchResult* bent = beside(results, *flat, kBentWay);
       if (!curved || !bent) continue;
       out << "| " << flat->dem << ", " << flat->view << " | " << rays << " | " << flat->threads
           << format(" | %.2fx", flat->mrays_per_s / curved->mrays_per_s)

@@ -2,32 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <optional>
 #include <ostream>
-#include <tuple>
 
 #include "bench/contender.h"
+#include "bench/study_text.h"
 
 namespace terrview {
 namespace {
-
-auto group_of(const BenchResult& result) {
-  return std::tie(result.dem, result.view, result.rays, result.threads);
-}
 
 std::string threads_of(const BenchResult& result) {
   return std::to_string(result.threads) + (result.threads == 1 ? " thread" : " threads");
 }
 
 bool is_embree(const BenchResult& result) { return result.contender.starts_with("embree"); }
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
 
 template <class Value>
 std::string cell(const char* pattern, const std::optional<Value>& value) {
@@ -74,15 +62,6 @@ void print_group(std::ostream& out, std::vector<BenchResult> group) {
                     cell("%.2g", result.p99_rel_error), cell("%.2g", result.max_rel_error)});
 }
 
-// The result of the same rays on the same threads by another contender.
-const BenchResult* beside(const std::vector<BenchResult>& results, const BenchResult& one,
-                          const std::string& contender) {
-  const auto found = std::find_if(results.begin(), results.end(), [&](const BenchResult& other) {
-    return group_of(other) == group_of(one) && other.contender == contender;
-  });
-  return found == results.end() ? nullptr : &*found;
-}
-
 struct ThesisFigure {
   const char* view;
   const char* photo;
@@ -97,7 +76,7 @@ constexpr std::array<ThesisFigure, 2> kThesisFigures{
 void print_view(std::ostream& out, const std::vector<BenchResult>& results) {
   for (auto first = results.begin(); first != results.end();) {
     const auto last = std::find_if(first, results.end(), [&](const BenchResult& result) {
-      return group_of(result) != group_of(*first);
+      return !is_same_frame(result, *first);
     });
     if (!first->seconds) print_group(out, {first, last});
     first = last;

@@ -1,18 +1,25 @@
-// What the studies share: lines of text, and processor time.
+// What reports and studies share: lines of text, and processor time.
 #pragma once
 
 #include <array>
 #include <cstdio>
 #include <ctime>
 #include <ostream>
+#include <string>
 
 namespace terrview {
 
+// Of printf, up to 199 characters.
 template <class... Values>
-void print_line(std::ostream& out, const char* pattern, Values... values) {
+[[nodiscard]] std::string format(const char* pattern, Values... values) {
   std::array<char, 200> text{};
   std::snprintf(text.data(), text.size(), pattern, values...);
-  out << text.data() << '\n';
+  return text.data();
+}
+
+template <class... Values>
+void print_line(std::ostream& out, const char* pattern, Values... values) {
+  out << format(pattern, values...) << '\n';
   out.flush();
 }
 

@@ -1,32 +1,12 @@
-#include <array>
-#include <cstdio>
-#include <ctime>
 #include <numbers>
 #include <ostream>
-#include <string>
 
-#include "bench/bench_result.h"
 #include "bench/scalar_rays.h"
+#include "bench/study_text.h"
 #include "bench/surface_study.h"
 
 namespace terrview {
 namespace {
-
-constexpr std::array kSurfaces{SurfaceModel::hyperboloid, SurfaceModel::triangles,
-                               SurfaceModel::bilinear};
-
-template <class... Values>
-void print(std::ostream& out, const char* pattern, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  out << text.data();
-}
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Cost {
   double ns_per_ray;
@@ -47,14 +27,14 @@ void print_view_study(std::ostream& out, const BenchDem& dem, const BenchView& v
       << dem.name << ", " << view.name << "\n"
       << "  surface        moves a frame, m: p50      p99      max   pixels: p50      p99      max"
          "  whole path   ns/ray: plain  pyramid  tests\n";
-  for (const SurfaceModel model : kSurfaces) {
+  for (const SurfaceModel model : kSurfaceModels) {
     const Motion motion = ground_motion(dem, view, model);
     const Cost plain = cost_of(terrain_of(dem, view, model, Search::plain), view);
     const Cost fast = cost_of(terrain_of(dem, view, model, Search::pyramid), view);
-    print(out, "  %-12s %22.2g %8.2g %8.2g %13.2g %8.2g %8.2g %11.2g %15.0f %8.0f %6.1f\n",
-          name_of(model).c_str(), motion.height_m.p50, motion.height_m.p99, motion.height_m.most,
-          motion.screen_px.p50, motion.screen_px.p99, motion.screen_px.most, motion.sweep_px,
-          plain.ns_per_ray, fast.ns_per_ray, plain.tests_per_ray);
+    print_line(out, "  %-12s %22.2g %8.2g %8.2g %13.2g %8.2g %8.2g %11.2g %15.0f %8.0f %6.1f",
+               name_of(model), motion.height_m.p50, motion.height_m.p99, motion.height_m.most,
+               motion.screen_px.p50, motion.screen_px.p99, motion.screen_px.most, motion.sweep_px,
+               plain.ns_per_ray, fast.ns_per_ray, plain.tests_per_ray);
   }
 }
 
@@ -76,10 +56,10 @@ void print_surface_study(std::ostream& out, const BenchDem& dem, glm::ivec2 size
   out << "\n"
       << dem.name << ", heights of the posts dropped from the middle of cells twice as wide\n"
       << "  surface          rms, m      p99      max\n";
-  for (const SurfaceModel model : kSurfaces) {
+  for (const SurfaceModel model : kSurfaceModels) {
     const HeightErrors errors = errors_at_dropped_posts(dem, model);
-    print(out, "  %-12s %10.3f %8.3f %8.3f\n", name_of(model).c_str(), errors.rms_m, errors.p99_m,
-          errors.most_m);
+    print_line(out, "  %-12s %10.3f %8.3f %8.3f", name_of(model), errors.rms_m, errors.p99_m,
+               errors.most_m);
   }
 }
 

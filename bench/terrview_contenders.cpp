@@ -10,6 +10,7 @@
 #include "bench/contender.h"
 #include "bench/front_rays.h"
 #include "bench/scalar_rays.h"
+#include "render/neighbour_tracer.h"
 #include "render/parallel.h"
 #include "render/view_front.h"
 #include "terrain/column_tracer.h"
@@ -96,6 +97,25 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
   return contender;
 }
 
+Contender neighbour_way(const BenchDem& dem) {
+  Contender contender = scalar(dem, {kNeighbourWay, SurfaceModel::hyperboloid, Search::pyramid});
+  contender.place = [&dem](const BenchView& view) -> ViewTracer {
+    const auto terrain =
+        terrain_on(BenchEarth::flat, dem, view, SurfaceModel::hyperboloid, Search::pyramid);
+    const auto trace = [terrain, &view](int threads, TracedFrame& frame) -> FrameWork {
+      TraceCounts counts;
+      const auto hits = trace_by_neighbours(*terrain, view.camera, threads, counts);
+      parallel_for(frame.size_px.y, threads, [&](int row) {
+        for (int column = 0; column < frame.size_px.x; ++column)
+          store(hits.at(column, row), *terrain, frame, frame.index(column, row));
+      });
+      return {.tests = counts.tests, .nodes = counts.nodes};
+    };
+    return {.primary = trace, .shadow = {}};
+  };
+  return contender;
+}
+
 struct Built {
   double seconds;
   double mib;
@@ -147,9 +167,9 @@ Contender frame_writer() {
 std::vector<Contender> terrview_contenders(const BenchDem& dem, const IsWanted& is_wanted) {
   std::vector<Contender> contenders{frame_writer(), default_way(dem, kDefaultWay, BenchEarth::flat),
                                     default_way(dem, kCurvedWay, BenchEarth::curved),
-                                    default_way(dem, kBentWay, BenchEarth::bent)};
-  for (const SurfaceModel surface :
-       {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
+                                    default_way(dem, kBentWay, BenchEarth::bent),
+                                    neighbour_way(dem)};
+  for (const SurfaceModel surface : kSurfaceModels) {
     contenders.push_back(scalar(dem, {"terrview-plain", surface, Search::plain}));
     contenders.push_back(scalar(dem, {"terrview-pyramid", surface, Search::pyramid}));
   }

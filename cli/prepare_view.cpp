@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include "cli/command_line.h"
 
 #include "cli/camera_json.h"
 #include "cli/view_light.h"
@@ -43,6 +44,8 @@ void check_projection(const ViewOptions& given, Projection projection) {
         "--fov");
   if (given.fov_deg && orthographic)
     throw InputError("--fov: an orthographic view has parallel rays: give --width METRES instead");
+  if (given.coherence == Coherence::neighbours && orthographic)
+    throw InputError("--coherence neighbours: needs an eye: leave it out for an orthographic view");
 }
 
 void check_sampling(const ViewOptions& options) {
@@ -79,6 +82,15 @@ void prepare(ViewOptions& options) {
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera
   if (options.projection == Projection::cylindrical) options.pitch_deg = 0;
+}
+
+ViewOptions parse_view(const std::vector<std::string>& args, const std::string& program) {
+  ViewOptions options;
+  CommandLine app("What can be seen of the ground from a point on the Earth", program);
+  add_view_options(app, options);
+  app.parse_args(args);
+  prepare(options);
+  return options;
 }
 
 }  // namespace terrview

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/view_options.h"
 
 namespace terrview {
@@ -7,5 +10,9 @@ namespace terrview {
 // Checks what can be checked before any file is read, and fills in --from-camera. Throws
 // InputError.
 void prepare(ViewOptions& options);
+
+// The options that `args` say to `program`, prepared. Throws what CommandLine and prepare() throw.
+[[nodiscard]] ViewOptions parse_view(const std::vector<std::string>& args,
+                                     const std::string& program);
 
 }  // namespace terrview

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/command_line.h"
 #include "cli/interrupt.h"
 #include "cli/palette_file.h"
 #include "cli/palette_picture.h"
@@ -91,19 +90,10 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
     files.camera->fill([&](const std::string& path) { write_file(path, camera_text + "\n"); });
 }
 
-ViewOptions parse_view(const std::vector<std::string>& args) {
-  ViewOptions options;
-  CommandLine app("What can be seen of the ground from a point on the Earth", "terrview view");
-  add_view_options(app, options);
-  app.parse_args(args);
-  prepare(options);
-  return options;
-}
-
 }  // namespace
 
 int run_view(const std::vector<std::string>& args) {
-  ViewOptions options = parse_view(args);
+  ViewOptions options = parse_view(args, "terrview view");
   ViewFiles files(options);
   WorkSeconds seconds;
   Stopwatch stopwatch;

@@ -72,18 +72,6 @@ Json palette_json(const PaletteOptions& options) {
   return json;
 }
 
-const char* name_of(SurfaceModel surface) {
-  switch (surface) {
-    case SurfaceModel::hyperboloid:
-      return "hyperboloid";
-    case SurfaceModel::triangles:
-      return "triangles";
-    case SurfaceModel::bilinear:
-      return "bilinear";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
@@ -108,6 +96,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["samples"] = samples_json(options.sampling);
   json["lod"] = options.sampling.detail;
   json["surface"] = name_of(options.surface);
+  if (options.coherence == Coherence::neighbours) json["coherence"] = "neighbours";
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
   if (!options.colors.empty()) json["colors"] = file_name(options.colors);
   if (wants_palette(options.palette)) json["palette"] = palette_json(options.palette);

@@ -59,11 +59,10 @@ void add_projection_options(CLI::App& app, ViewOptions& options) {
 
 void add_ground_options(CLI::App& app, ViewOptions& options) {
   add_number(app, "--z-scale", options.z_scale, "Multiply heights and an absolute ALT (default 1)");
-  add_choice<SurfaceModel>(app, "--surface", options.surface,
-                           {{"hyperboloid", SurfaceModel::hyperboloid},
-                            {"triangles", SurfaceModel::triangles},
-                            {"bilinear", SurfaceModel::bilinear}},
-                           "The ground between posts (default hyperboloid)");
+  std::map<std::string, SurfaceModel> surfaces;
+  for (const SurfaceModel model : kSurfaceModels) surfaces[name_of(model)] = model;
+  add_choice(app, "--surface", options.surface, surfaces,
+             "The ground between posts (default hyperboloid)");
   app.add_option_function<std::string>(
          "--earth",
          [&](const std::string& text) {
@@ -72,8 +71,11 @@ void add_ground_options(CLI::App& app, ViewOptions& options) {
          "curved (default), or flat: the affine map at the eye, no drop")
       ->check(CLI::IsMember({"curved", "flat"}))
       ->type_name("curved|flat");
-  add_switch(app, "--coherence", options.coherence,
-             "off: trace every ray on its own, cell by cell; the same picture, later");
+  add_choice<Coherence>(
+      app, "--coherence", options.coherence,
+      {{"on", Coherence::on}, {"off", Coherence::off}, {"neighbours", Coherence::neighbours}},
+      "off: trace every ray on its own, cell by cell; the same picture, later. neighbours: begin "
+      "each where its neighbours hit, which may miss thin peaks; for study");
   add_number(app, "--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
 }
 

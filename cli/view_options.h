@@ -14,6 +14,7 @@
 #include "ingest/dem.h"
 #include "ingest/view_frame.h"
 #include "render/camera.h"
+#include "render/render.h"
 #include "render/scene.h"
 #include "sky/clear_sky.h"
 #include "sky/sun.h"
@@ -79,7 +80,7 @@ struct ViewOptions {
   std::string from_camera;
 
   SurfaceModel surface = SurfaceModel::hyperboloid;
-  bool coherence = true;
+  Coherence coherence = Coherence::on;
   NormalKind normals = NormalKind::smooth;
   LightOptions light;
   AirOptions air;

@@ -117,7 +117,7 @@ ViewFrameOptions frame_options(const ViewOptions& options) {
   frame.refraction = options.refraction.value_or(frame.refraction);
   frame.z_scale = options.z_scale.value_or(frame.z_scale);
   frame.surface = options.surface;
-  frame.search = options.coherence ? Search::pyramid : Search::plain;
+  frame.search = options.coherence == Coherence::off ? Search::plain : Search::pyramid;
   return frame;
 }
 

@@ -35,6 +35,11 @@ add_library(libnova::libnova INTERFACE IMPORTED)
 target_link_libraries(libnova::libnova INTERFACE ${LIBNOVA_LIBRARY})
 target_include_directories(libnova::libnova INTERFACE ${LIBNOVA_INCLUDE_DIR})
 
+# The rival in the benchmark, whose ray set-up is written for x86-64.
+if(TERRVIEW_BENCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  find_package(embree 3 CONFIG)
+endif()
+
 if(TERRVIEW_TESTS)
   find_package(GTest 1.12 REQUIRED)
   find_package(rapidcheck CONFIG REQUIRED)

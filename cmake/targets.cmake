@@ -5,15 +5,20 @@ function(terrview_library folder)
   target_link_libraries(terrview_${folder} PUBLIC terrview_flags ${ARGN})
 endfunction()
 
-# terrview_test(<name> <folder of tests> <libraries...>): one test program per folder. Test suites
-# whose names end in "Long" carry the ctest label `long`.
+# terrview_test(<name> <folder of tests> [EXCLUDE <regex>] <libraries...>): one test program per
+# folder, of the sources that do not match. Test suites whose names end in "Long" carry the ctest
+# label `long`.
 function(terrview_test name folder)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" EXCLUDE "")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  if(arg_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "${arg_EXCLUDE}")
+  endif()
   if(NOT sources)
     return()
   endif()
   add_executable(${name} ${sources})
-  target_link_libraries(${name} PRIVATE terrview_flags ${ARGN} rapidcheck GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE terrview_flags ${arg_UNPARSED_ARGUMENTS} rapidcheck GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TERRVIEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # The second pattern is that of typed suites, TracerLong/0.Name.
   set(long "*Long.*:*Long/*.*")

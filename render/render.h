@@ -12,9 +12,17 @@
 
 namespace terrview {
 
+// What the rays of a picture owe to each other.
+enum class Coherence {
+  on,
+  off,         // every ray on its own: the same picture, later
+  neighbours,  // through the pixels' centres as in render/neighbour_tracer.h, which may miss; not
+               // for an orthographic camera
+};
+
 struct RenderOptions {
-  int threads = 0;            // 0 = all the processor has; never changes the picture
-  bool coherence = true;      // false: every ray on its own; the same picture, later
+  int threads = 0;  // 0 = all the processor has; never changes the picture
+  Coherence coherence = Coherence::on;
   bool keep_samples = false;  // fill Frame::samples
   // Rays a pixel. 0 = as many as it needs: one; four where it differs from a neighbour by more than
   // `contrast`; sixteen where those four do among themselves, or where the ground beside it is a

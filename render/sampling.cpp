@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/neighbour_tracer.h"
 #include "render/parallel.h"
 #include "render/pixel_tracer.h"
 #include "render/stopwatch.h"
@@ -45,7 +46,14 @@ glm::dvec2 sample_offset(int index) {
 
 Sampler::Sampler(const Scene& scene, const Camera& camera, const RenderOptions& options)
     : scene_(scene), camera_(camera), options_(options), pixel_width_(pixel_width(camera)) {
-  if (options.coherence) front_ = view_front(*scene.terrain, camera);
+  if (options.coherence == Coherence::on) front_ = view_front(*scene.terrain, camera);
+  if (options.coherence != Coherence::neighbours) return;
+  Stopwatch stopwatch;
+  TraceCounts traced;
+  centres_ = trace_by_neighbours(*scene.terrain, camera, options.threads, traced);
+  total.tests = traced.tests;
+  total.nodes = traced.nodes;
+  total.trace_s = stopwatch.lap();
 }
 
 void Sampler::set_progress(double from, double to) {
@@ -61,27 +69,36 @@ void Sampler::report(double share) const {
 void Sampler::trace_lattice(int index, int step, const Wanted& wanted, const Take& take) {
   const glm::ivec2 size = camera_.options().size_px;
   const PixelLattice lattice{sample_offset(index), step, (size + step - 1) / step};
-  const PixelTracer tracer(*scene_.terrain, camera_, options_.coherence, front_.get(), lattice);
+  const PixelTracer tracer(*scene_.terrain, camera_, options_.coherence == Coherence::on,
+                           front_.get(), lattice);
+  const bool known = index == 0 && !centres_.empty();
   const std::vector<Block> blocks = tracer.blocks();
   std::vector<RenderCounts> block_counts(blocks.size());
   std::atomic<int> done{0};
   const int count = static_cast<int>(blocks.size());
   parallel_for(count, options_.threads, [&](int i) {
     const auto b = static_cast<std::size_t>(i);
-    block_counts[b] = trace_block(tracer, blocks[b], step, wanted, take);
+    block_counts[b] = trace_block(tracer, {blocks[b], step, known}, wanted, take);
     report(static_cast<double>(++done) / count);
   });
   for (const RenderCounts& block : block_counts) total += block;
 }
 
-RenderCounts Sampler::trace_block(const PixelTracer& tracer, const Block& block, int step,
+RenderCounts Sampler::trace_block(const PixelTracer& tracer, const LatticeBlock& part,
                                   const Wanted& wanted, const Take& take) const {
   Stopwatch stopwatch;
+  const int step = part.step;
   const std::vector<glm::ivec2> points =
-      tracer.points(block, [&](glm::ivec2 point) { return !wanted || wanted(step * point); });
+      tracer.points(part.block, [&](glm::ivec2 point) { return !wanted || wanted(step * point); });
   TraceCounts traced;
   const std::vector<Ray> rays = tracer.rays(points);
-  const std::vector<std::optional<Hit>> hits = tracer.trace(block, points, traced);
+  std::vector<std::optional<Hit>> hits;
+  if (part.is_known) {
+    for (const glm::ivec2& point : points)
+      hits.push_back(centres_.at(step * point.x, step * point.y));
+  } else {
+    hits = tracer.trace(part.block, points, traced);
+  }
   RenderCounts counts = count_of(hits, traced);
   counts.trace_s = stopwatch.lap();
   const std::vector<ShadedRay> shaded = shade(scene_, pixel_width_, rays, hits, counts.shadow_rays);

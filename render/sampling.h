@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,7 +63,12 @@ class Sampler {
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
  private:
-  RenderCounts trace_block(const PixelTracer& tracer, const Block& block, int step,
+  struct LatticeBlock {
+    const Block& block;
+    int step;
+    bool is_known;  // its hits are those of centres_
+  };
+  RenderCounts trace_block(const PixelTracer& tracer, const LatticeBlock& part,
                            const Wanted& wanted, const Take& take) const;
 
   const Scene& scene_;
@@ -70,6 +76,7 @@ class Sampler {
   const RenderOptions& options_;
   PixelWidth pixel_width_;
   std::unique_ptr<const EyeFront> front_;
+  Raster<std::optional<Hit>> centres_;  // of Coherence::neighbours
   double progress_from_ = 0;
   double progress_to_ = 1;
 };

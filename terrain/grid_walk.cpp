@@ -31,6 +31,12 @@ void clip(const TrackPiece& piece, int axis, double last, double& low, double& h
 
 double next_line(int cell, double rate) { return rate > 0 ? cell + 1.0 : cell; }
 
+// Whether bands lie between columns; on the diagonals, within rounding, between rows.
+bool goes_by_columns(const TrackPiece& piece) {
+  constexpr double kDiagonal = 1 + 1e-9;
+  return std::abs(piece.rate.x) > kDiagonal * std::abs(piece.rate.y);
+}
+
 }  // namespace
 
 glm::ivec2 cell_of(const HeightGrid& grid, glm::dvec2 uv) {
@@ -103,7 +109,7 @@ bool GridWalk::enter() {
 void GridWalk::stand_at(double g_m, glm::dvec2 uv) {
   const glm::dvec2 last_post(grid_.columns - 1, grid_.rows - 1);
   uv = glm::clamp(uv, glm::dvec2(0), last_post);
-  cell_ = cell_of(grid_, uv);
+  first_cell_ = cell_ = cell_of(grid_, uv);
   const glm::dvec2 f = uv - glm::dvec2(cell_);
   north_east_ = f.x >= f.y;
   has_ground_ = grid_.has_ground(cell_.x, cell_.y);
@@ -159,6 +165,22 @@ Crossing GridWalk::crossing(const Event& event) const {
           lerp_heights(grid_.at(cell_.x, cell_.y), grid_.at(cell_.x + 1, cell_.y + 1), f)};
 }
 
+glm::ivec2 GridWalk::cell_beyond(Line line) const {
+  if (line == Line::column) return {cell_.x + (piece_.rate.x > 0 ? 1 : -1), cell_.y};
+  return {cell_.x, cell_.y + (piece_.rate.y > 0 ? 1 : -1)};
+}
+
+bool GridWalk::is_inside(glm::ivec2 cell) const {
+  return cell.x >= 0 && cell.y >= 0 && cell.x < grid_.columns - 1 && cell.y < grid_.rows - 1;
+}
+
+bool GridWalk::stops_at(Line line) const {
+  if (model_ != SurfaceModel::band || goes_by_columns(piece_) == (line == Line::column))
+    return true;
+  const glm::ivec2 next = cell_beyond(line);
+  return !is_inside(next) || grid_.has_ground(next.x, next.y) != has_ground_;
+}
+
 void GridWalk::cross(Line line) {
   if (line == Line::diagonal) {
     north_east_ = !north_east_;
@@ -166,17 +188,18 @@ void GridWalk::cross(Line line) {
   }
   const bool along_columns = line == Line::column;
   const bool forward = (along_columns ? piece_.rate.x : piece_.rate.y) > 0;
-  (along_columns ? cell_.x : cell_.y) += forward ? 1 : -1;
+  first_cell_ = cell_ = cell_beyond(line);
   // A cell is entered through one of its edges, and each edge belongs to one triangle.
   north_east_ = along_columns ? !forward : forward;
-  inside_ = cell_.x >= 0 && cell_.y >= 0 && cell_.x < grid_.columns - 1 && cell_.y < grid_.rows - 1;
+  inside_ = is_inside(cell_);
   if (inside_) has_ground_ = grid_.has_ground(cell_.x, cell_.y);
 }
 
 void GridWalk::fill(Span& span, const Crossing& out) const {
   span.in = last_;
   span.out = out;
-  span.cell = cell_;
+  span.cell = first_cell_;
+  span.last_cell = cell_;
   span.has_ground = has_ground_;
   span.sag_m = 0;
   if (model_ == SurfaceModel::bilinear && has_ground_) {
@@ -233,6 +256,9 @@ std::optional<GridWalk::BlockExit> GridWalk::exit_ahead(const Block& block) {
         return std::nullopt;
     }
     if (auto exit = exit_on(*next, block)) {
+      // Where the span over the exit begins is not known.
+      if (model_ == SurfaceModel::band && exit->over_column != goes_by_columns(*next))
+        return std::nullopt;
       exit->pieces_ahead = count;
       exit->cell = cell;
       return exit;
@@ -276,12 +302,34 @@ void GridWalk::skip(int level, const BlockExit& exit) {
   // crosses columns first.
   const int along = exit.over_column ? 0 : 1;
   const int across = 1 - along;
-  cell_[along] = piece_.rate[along] > 0 ? block.last[along] : block.first[along];
-  cell_[across] = cell_reached(piece_, across, cell_[across], block, {exit.g_m, !exit.over_column});
+  glm::ivec2 last;
+  last[along] = piece_.rate[along] > 0 ? block.last[along] : block.first[along];
+  last[across] = cell_reached(piece_, across, cell_[across], block, {exit.g_m, !exit.over_column});
   const Event event{exit.g_m, exit.over_column ? Line::column : Line::row};
+  if (model_ == SurfaceModel::band && exit.over_column != goes_by_columns(piece_))
+    begin_band(block, last);
+  cell_ = last;
+  if (!stops_at(event.line)) {
+    cell_ = cell_beyond(event.line);
+    return;
+  }
   last_ = crossing(event);
   cross(event.line);
   if (!inside_) stop_outside();
+}
+
+void GridWalk::begin_band(const Block& block, glm::ivec2 last_cell) {
+  const int axis = goes_by_columns(piece_) ? 0 : 1;
+  if (last_cell[axis] == cell_[axis]) return;  // no line since the span began
+  const int across = 1 - axis;
+  const double rate = piece_.rate[axis];
+  const int before = last_cell[axis] - (rate > 0 ? 1 : -1);
+  const Event event{line_m(piece_, axis, next_line(before, rate)),
+                    axis == 0 ? Line::column : Line::row};
+  cell_[across] = cell_reached(piece_, across, cell_[across], block, {event.g_m, axis == 1});
+  cell_[axis] = before;
+  last_ = crossing(event);
+  cross(event.line);
 }
 
 bool GridWalk::next(Span& span) {
@@ -289,6 +337,10 @@ bool GridWalk::next(Span& span) {
   while (true) {
     const Event event = nearest_line();
     if (event.g_m <= piece_.end_m) {
+      if (!stops_at(event.line)) {
+        cell_ = cell_beyond(event.line);
+        continue;
+      }
       const Crossing out = crossing(event);
       fill(span, out);
       cross(event.line);

@@ -30,9 +30,10 @@ struct Crossing {
 struct Span {
   Crossing in;
   Crossing out;
-  glm::ivec2 cell;
-  bool has_ground;  // false: a hole; the heights mean nothing
-  double sag_m;     // the surface lies sag * t * (1 - t) below the chord at the share t of the span
+  glm::ivec2 cell;       // where it begins
+  glm::ivec2 last_cell;  // where it ends: another in a band alone
+  bool has_ground;       // false: a hole; the heights mean nothing
+  double sag_m;  // the surface lies sag * t * (1 - t) below the chord at the share t of the span
 };
 
 // The height of the surface inside a cell that has ground, where no ray's plane is given:
@@ -106,6 +107,14 @@ class GridWalk {
   };
   [[nodiscard]] int cell_reached(const TrackPiece& piece, int axis, int here, const Block& block,
                                  const Limit& limit) const;
+  // The cell on the other side of a line.
+  [[nodiscard]] glm::ivec2 cell_beyond(Line line) const;
+  [[nodiscard]] bool is_inside(glm::ivec2 cell) const;
+  // Whether the span that lies behind ends at a line of the current cell: not where it goes on
+  // along its band.
+  [[nodiscard]] bool stops_at(Line line) const;
+  // Begins the span that goes over the end of a block at the last line before `last_cell` of it.
+  void begin_band(const Block& block, glm::ivec2 last_cell);
   void cross(Line line);
   void stop_outside();
   [[nodiscard]] Crossing crossing(const Event& event) const;
@@ -121,6 +130,7 @@ class GridWalk {
   std::vector<TrackPiece> ahead_;  // pieces already cut; those before next_ahead_ are done with
   std::size_t next_ahead_ = 0;
   glm::ivec2 cell_{};
+  glm::ivec2 first_cell_{};  // in which the next span begins
   bool inside_ = false;
   bool has_ground_ = false;
   bool north_east_ = false;  // which triangle of the cell

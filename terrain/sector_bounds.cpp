@@ -88,10 +88,11 @@ class SectorBounds {
              hn::Load(D(), (pieces[piece].*rate).data() + first) *
                  of(distance_m - edges_.begins_m[piece]);
     };
+    const double far_m = ring.far_m * edges_.bulge;
     return {at(edges_.pieces_a, ring.near_piece, ring.near_m),
-            at(edges_.pieces_a, ring.far_piece, ring.far_m),
+            at(edges_.pieces_a, ring.far_piece, far_m),
             at(edges_.pieces_b, ring.near_piece, ring.near_m),
-            at(edges_.pieces_b, ring.far_piece, ring.far_m)};
+            at(edges_.pieces_b, ring.far_piece, far_m)};
   }
 
   HWY_INLINE V highest(const SectorRing& ring, std::size_t first, M& outside, M& wide) const {
@@ -218,6 +219,7 @@ WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map) {
     edges.y_a[j] = a.y;
     edges.x_b[j] = b.x;
     edges.y_b[j] = b.y;
+    edges.bulge = std::max(edges.bulge, 2 / glm::length(a + b));
     for (std::size_t k = 0; k < edges.begins_m.size(); ++k) {
       const auto track = [&](glm::dvec2 direction) {
         return track_piece(map, {{0, 0}, direction}, edges.begins_m[k], map.to_grid({0, 0}),

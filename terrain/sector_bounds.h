@@ -22,6 +22,8 @@ struct WedgeEdges {
   };
   // Unit directions, view frame.
   alignas(64) Values x_a, y_a, x_b, y_b;
+  // An arc between two edges stays nearer than the line between them so many times as far away.
+  double bulge = 1;
   std::vector<double> begins_m;
   std::vector<Piece> pieces_a;
   std::vector<Piece> pieces_b;

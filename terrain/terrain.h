@@ -6,6 +6,9 @@
 // count:
 //
 //   hyperboloid  rows and columns (Coquillart 1984, chapter 2, 3.3.2): depends on the ray's plane
+//   band         rows where the line crosses more of them, else columns (ibid., "extensions"; rows
+//                on the diagonals); and any line at which ground begins or ends. A chord spans up
+//                to two cells, and depends on the ray's plane
 //   triangles    rows, columns and the diagonals from the north-west to the south-east post
 //   bilinear     rows and columns, and the knots of a bent track; the parabola of the bilinear
 //   patch

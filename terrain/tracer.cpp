@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "terrain/grid_walk.h"
@@ -42,10 +43,11 @@ double first_root(double above, double below, double bend) {
 // The walk of one ray, which is z = z0 + slope * g over its ground line.
 class Tracer {
  public:
-  Tracer(const Terrain& terrain, double ceiling_m, const Ray& ray)
+  Tracer(const Terrain& terrain, double ceiling_m, const Ray& ray, double clear_m)
       : terrain_(terrain),
         ceiling_m_(ceiling_m),
         ray_(ray),
+        clear_m_(clear_m),
         line_(ground_line(ray)),
         slope_(ray_slope(ray)),
         metres_per_g_(metres_per_g(slope_)) {}
@@ -90,6 +92,11 @@ class Tracer {
         continue;
       }
       if (!walk.next(span)) break;
+      if (span.out.g_m <= clear_m_) {
+        pass(span);
+        covered_m = span.out.g_m;
+        continue;
+      }
       if (!span.has_ground) continue;
       if (!cover_gap(span.in.g_m)) return false;
       if (!cross_span(static_cast<int>(index), span)) return false;
@@ -110,7 +117,8 @@ class Tracer {
     for (; search.level >= kFirst; --search.level) {
       ++trace_.counts.nodes;
       const auto exit = walk.block_exit(search.level);
-      if (exit && exit->g_m < to_m &&
+      if (!exit || exit->g_m >= to_m) continue;
+      if (exit->g_m <= clear_m_ ||
           clears(pyramid.block(search.level, walk.cell()), walk.position_m(), exit->g_m))
         return exit;
     }
@@ -125,6 +133,8 @@ class Tracer {
     // Another layer may fill the holes.
     if (has_holes && terrain_.layers().size() > 1) return false;
     if (std::isinf(range.highest_m)) return true;
+    // Bands end at holes, which only the walk finds.
+    if (has_holes && terrain_.model() == SurfaceModel::band) return false;
     const VerticalFrame& frame = terrain_.frame();
     const double highest_m = frame.z_scale * range.highest_m;
     const double ceiling_m = frame.ceiling_between(highest_m, line_.at(from_m), line_.at(to_m));
@@ -153,6 +163,13 @@ class Tracer {
     const VerticalFrame& frame = terrain_.frame();
     return ray_z(crossing.g_m) -
            frame.at(line_.at(crossing.g_m)).z_m(frame.z_scale * crossing.height_m);
+  }
+
+  // Takes it as known that the ray is above a span.
+  void pass(const Span& span) {
+    on_ground_ = span.has_ground;
+    grid_of_last_ = kNoGrid;
+    last_m_ = span.out.g_m;
   }
 
   bool cross_span(int grid, const Span& span) {
@@ -192,14 +209,18 @@ class Tracer {
     const double distance_m = g_m * metres_per_g_;
     trace_.outcome = Outcome::hit;
     trace_.ground_m = g_m;
-    trace_.hit = {distance_m, glm::dvec3(line_.at(g_m), ray_z(g_m)), grid, span.cell,
-                  span.in.uv + share * (span.out.uv - span.in.uv)};
+    const glm::dvec2 uv = span.in.uv + share * (span.out.uv - span.in.uv);
+    const glm::ivec2 cell =
+        glm::clamp(glm::ivec2(glm::floor(uv)), glm::min(span.cell, span.last_cell),
+                   glm::max(span.cell, span.last_cell));
+    trace_.hit = {distance_m, glm::dvec3(line_.at(g_m), ray_z(g_m)), grid, cell, uv};
     return false;
   }
 
   const Terrain& terrain_;
   double ceiling_m_;
   const Ray& ray_;
+  double clear_m_;
   GroundLine line_;
   double slope_;         // dz / dg
   double metres_per_g_;  // along the ray, per metre of ground
@@ -250,9 +271,9 @@ GroundLine ground_line(const Ray& ray) {
   return {glm::dvec2(ray.origin_m), across / glm::length(across)};
 }
 
-Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray) {
+Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray, double clear_m) {
   if (is_vertical(ray)) return trace_vertical(terrain, ray);
-  return Tracer(terrain, ceiling_m, ray).run();
+  return Tracer(terrain, ceiling_m, ray, clear_m).run();
 }
 
 }  // namespace terrview

@@ -34,7 +34,10 @@ struct Trace {
 // Where `line` leaves the disc of `reach_m` about the eye; negative if it never enters it.
 [[nodiscard]] double leaves_disc_m(const GroundLine& line, double reach_m);
 
-// `ceiling_m`: no ground lies above this z.
-[[nodiscard]] Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray);
+// `ceiling_m`: no ground lies above this z. `clear_m`: so far along its ground line the ray is
+// known to be above the ground; the spans before are not compared with it. Where that is wrong, a
+// ray then below the ground ends there.
+[[nodiscard]] Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray,
+                          double clear_m = 0);
 
 }  // namespace terrview

@@ -1,11 +1,10 @@
 #include "bench/sky/field_bench.h"
 
-#include <ctime>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "bench/study_text.h"
 #include "sky/field_part.h"
 #include "sky/field_stream.h"
 
@@ -13,12 +12,6 @@ namespace terrview {
 namespace {
 
 constexpr int kRepetitions = 5;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // Keeps a result from being optimised away.
 volatile float kept;
@@ -87,9 +80,9 @@ double noise_seconds(int levels) {
 double seconds_of(const std::function<void()>& work) {
   std::vector<double> seconds;
   for (int i = 0; i < kRepetitions; ++i) {
-    const double start = processor_seconds();
+    const double start = thread_seconds();
     work();
-    seconds.push_back(processor_seconds() - start);
+    seconds.push_back(thread_seconds() - start);
   }
   std::nth_element(seconds.begin(), seconds.begin() + kRepetitions / 2, seconds.end());
   return seconds[kRepetitions / 2];

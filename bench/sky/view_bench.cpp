@@ -3,7 +3,6 @@
 #include <glm/geometric.hpp>
 
 #include "bench/sky/field_bench.h"
-#include "cli/command_line.h"
 #include "cli/prepare_view.h"
 #include "cli/view_options.h"
 #include "cli/view_setup.h"
@@ -22,11 +21,7 @@ Frame render_once(const Scene& scene, const Camera& camera) {
 }  // namespace
 
 void print_view(const std::vector<std::string>& args) {
-  ViewOptions options;
-  CommandLine app("The sky beside the ground", "terrview-sky-bench");
-  add_view_options(app, options);
-  app.parse_args(args);
-  prepare(options);
+  ViewOptions options = parse_view(args, "terrview-sky-bench");
   const std::vector<Dem> dems = read_dems(options.dems, options.dem);
   const ViewSkyOptions sky = options.sky;
   options.sky.none = true;

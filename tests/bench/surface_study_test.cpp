@@ -22,7 +22,7 @@ TEST(HeightSeen, DependsOnTheRaysPlaneForTheHyperboloidAlone) {
   }
 }
 
-TEST(GroundMotion, IsThatOfTheHyperboloidAndOfNoOther) {
+TEST(GroundMotion, IsThatOfTheModelsThatDependOnTheRaysPlane) {
   const BenchDem dem = synthetic_mountains(129);
   const BenchView view = walkers_view(dem, {64, 36});
   for (const SurfaceModel model : {SurfaceModel::triangles, SurfaceModel::bilinear}) {
@@ -30,9 +30,11 @@ TEST(GroundMotion, IsThatOfTheHyperboloidAndOfNoOther) {
     EXPECT_LT(still.height_m.most, 1e-9);
     EXPECT_LT(still.sweep_px, 1e-5);
   }
-  const Motion moving = ground_motion(dem, view, SurfaceModel::hyperboloid);
-  EXPECT_GT(moving.height_m.most, 1e-4);
-  EXPECT_GE(moving.sweep_px, moving.screen_px.p50);
+  for (const SurfaceModel model : {SurfaceModel::hyperboloid, SurfaceModel::band}) {
+    const Motion moving = ground_motion(dem, view, model);
+    EXPECT_GT(moving.height_m.most, 1e-4);
+    EXPECT_GE(moving.sweep_px, moving.screen_px.p50);
+  }
 }
 
 TEST(ErrorsAtDroppedPosts, AreThoseOfAParaboloidInClosedForm) {
@@ -43,8 +45,7 @@ TEST(ErrorsAtDroppedPosts, AreThoseOfAParaboloidInClosedForm) {
           static_cast<float>(column * column + row * row);
   const BenchDem dem = make_bench_dem("bowl", grid, {1, 0, 0, -1});
   // The mean of the four corners of a cell 2 wide is 2 m above the middle, any diagonal's, too.
-  for (const SurfaceModel model :
-       {SurfaceModel::hyperboloid, SurfaceModel::triangles, SurfaceModel::bilinear}) {
+  for (const SurfaceModel model : kSurfaceModels) {
     const HeightErrors errors = errors_at_dropped_posts(dem, model);
     EXPECT_NEAR(errors.rms_m, 2, 1e-6);
     EXPECT_NEAR(errors.most_m, 2, 1e-6);

@@ -2,7 +2,11 @@
 #include <OpenImageIO/imageio.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "tests/cli/small_view.h"
 
@@ -190,6 +194,19 @@ class EnuLayers {
                                             index)];
   }
 
+  // Where a pixel's hit lies, for every pixel that has one. Returns how many have.
+  int for_each_hit(
+      const std::function<void(int column, int row, const glm::dvec3& enu_m)>& act) const {
+    int hits = 0;
+    for (int row = 0; row < spec_.height; ++row)
+      for (int column = 0; column < spec_.width; ++column) {
+        if (std::isnan(at("distance", column, row))) continue;
+        ++hits;
+        act(column, row, {at("E", column, row), at("N", column, row), at("U", column, row)});
+      }
+    return hits;
+  }
+
  private:
   OIIO::ImageSpec spec_;
   std::vector<float> values_;
@@ -201,24 +218,16 @@ TEST_F(CameraOfView, SeesEveryPlaceInTheTrueDirectionOfItsPixel) {
       "--layers a.exr");
   const EnuLayers layers(path("a.exr"));
   const double k = std::tan(35 * kRadians) / 32;
-  int hits = 0;
-  for (int row = 0; row < 48; ++row) {
-    for (int column = 0; column < 64; ++column) {
-      if (std::isnan(layers.at("distance", column, row))) continue;
-      ++hits;
-      const double east = layers.at("E", column, row);
-      const double north = layers.at("N", column, row);
-      const double up = layers.at("U", column, row);
-      // Into the camera: heading, then pitch, turned back.
-      const double right = east * std::cos(30 * kRadians) - north * std::sin(30 * kRadians);
-      const double ahead = east * std::sin(30 * kRadians) + north * std::cos(30 * kRadians);
-      const double depth = ahead * std::cos(12 * kRadians) - up * std::sin(12 * kRadians);
-      const double height = ahead * std::sin(12 * kRadians) + up * std::cos(12 * kRadians);
-      EXPECT_NEAR(right / depth / k, column + 0.5 - 32, 1e-3);
-      EXPECT_NEAR(height / depth / k, 24 - row - 0.5, 1e-3);
-      EXPECT_NEAR(layers.at("distance", column, row), std::hypot(east, north, up), 1e-2);
-    }
-  }
+  const int hits = layers.for_each_hit([&](int column, int row, const glm::dvec3& enu_m) {
+    // Into the camera: heading, then pitch, turned back.
+    const double right = enu_m.x * std::cos(30 * kRadians) - enu_m.y * std::sin(30 * kRadians);
+    const double ahead = enu_m.x * std::sin(30 * kRadians) + enu_m.y * std::cos(30 * kRadians);
+    const double depth = ahead * std::cos(12 * kRadians) - enu_m.z * std::sin(12 * kRadians);
+    const double height = ahead * std::sin(12 * kRadians) + enu_m.z * std::cos(12 * kRadians);
+    EXPECT_NEAR(right / depth / k, column + 0.5 - 32, 1e-3);
+    EXPECT_NEAR(height / depth / k, 24 - row - 0.5, 1e-3);
+    EXPECT_NEAR(layers.at("distance", column, row), glm::length(enu_m), 1e-2);
+  });
   EXPECT_GT(hits, 1000);
 }
 
@@ -229,20 +238,12 @@ TEST_F(CameraOfView, IsLevelAndLinearInAzimuthWhereCylindrical) {
   EXPECT_EQ(camera_of("--projection cylindrical --look-at 48,7").at("pitch"), 0);
   view("--projection cylindrical --heading 20 --fov 90 --refraction 0 -o b.png --layers b.exr");
   const EnuLayers layers(path("b.exr"));
-  int hits = 0;
-  for (int row = 0; row < 48; ++row) {
-    for (int column = 0; column < 64; ++column) {
-      if (std::isnan(layers.at("distance", column, row))) continue;
-      ++hits;
-      const double east = layers.at("E", column, row);
-      const double north = layers.at("N", column, row);
-      const double azimuth_deg = std::atan2(east, north) / kRadians;
-      EXPECT_NEAR(azimuth_deg, 20 + (column + 0.5 - 32) * 90 / 64, 1e-4);
-      const double focal_px = 64 / (90 * kRadians);
-      EXPECT_NEAR(layers.at("U", column, row) / std::hypot(east, north),
-                  (24 - row - 0.5) / focal_px, 1e-6);
-    }
-  }
+  const int hits = layers.for_each_hit([](int column, int row, const glm::dvec3& enu_m) {
+    const double azimuth_deg = std::atan2(enu_m.x, enu_m.y) / kRadians;
+    EXPECT_NEAR(azimuth_deg, 20 + (column + 0.5 - 32) * 90 / 64, 1e-4);
+    const double focal_px = 64 / (90 * kRadians);
+    EXPECT_NEAR(enu_m.z / std::hypot(enu_m.x, enu_m.y), (24 - row - 0.5) / focal_px, 1e-6);
+  });
   EXPECT_GT(hits, 500);
 }
 

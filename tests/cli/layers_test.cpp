@@ -105,8 +105,8 @@ class LayersOfASlope : public LayersOfView {
 };
 
 TEST_F(LayersOfASlope, HaveTheDemsHeightAtTheirPlace) {
-  for (const char* line : {"--surface hyperboloid", "--surface triangles", "--surface bilinear",
-                           "--earth flat", "--refraction 0.5"})
+  for (const char* line : {"--surface hyperboloid", "--surface band", "--surface triangles",
+                           "--surface bilinear", "--earth flat", "--refraction 0.5"})
     expect_heights_of_the_slope(line);
 }
 

@@ -39,9 +39,6 @@ void write_large_picture(const std::string& path) {
 }
 
 TEST(QuantizeLong, OfFourHundredMegapixelsStaysWithin300Megabytes) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers take memory of their own";
-#endif
   const TemporaryFolder folder;
   write_large_picture(folder / "large.tif");
   for (const std::string line : {"-o a.png --colors 256", "-o a.tif --colors 65536 --overwrite"}) {

@@ -67,21 +67,24 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 class TrueViews : public SmallView {
  protected:
-  // Renders a view of DEMs, parted by blanks, without refraction into t.tif and t.json; false where
-  // the data are missing.
-  bool look(const std::string& dems, const std::string& line) {
+  // The shared DEMs of these names, parted by blanks; empty where the data are not here.
+  static Arguments shared_dems(const std::string& names) {
     Arguments paths;
-    for (const std::string& dem : words(dems)) {
-      paths.push_back(dem.front() == '/' ? dem : shared_data(dem));
-      if (paths.back().empty()) return false;
+    for (const std::string& name : words(names)) {
+      paths.push_back(shared_data(name));
+      if (paths.back().empty()) return {};
     }
+    return paths;
+  }
+
+  // Renders a view of DEMs without refraction into t.tif and t.json; must succeed.
+  void look(const Arguments& dems, const std::string& line) const {
     const Finished finished =
-        run(paths +
+        run(dems +
             Arguments{"-q", "--refraction", "0", "-o", "t.png", "--layers", "t.tif", "--camera",
                       "t.json", "--overwrite", "--no-shadows"} +
             words(line));
-    EXPECT_EQ(finished.exit_code, 0) << finished.err;
-    return finished.exit_code == 0;
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
   }
 };
 
@@ -94,7 +97,9 @@ class LayersOfTrueViews : public TrueViews, public testing::WithParamInterface<W
 
 // Pixels as small as those of a picture of 1920 pixels over 60 degrees.
 TEST_P(LayersOfTrueViews, LieInTheDirectionOfTheirPixel) {
-  if (!look(GetParam().dem, GetParam().line)) GTEST_SKIP() << "no " << GetParam().dem;
+  const Arguments dems = shared_dems(GetParam().dem);
+  if (dems.empty()) GTEST_SKIP() << "no shared test data";
+  ASSERT_NO_FATAL_FAILURE(look(dems, GetParam().line));
   const TrueCamera camera(json("t.json"));
   const Layers found = layers("t.tif");
   double worst_rad = 0;
@@ -172,8 +177,9 @@ class SummitsOfTrueViews : public TrueViews,
 
 // A camera aimed at a summit sees it in its middle, or something nearer; never past it.
 TEST_P(SummitsOfTrueViews, AreInTheMiddleOfAViewAimedAtThem) {
-  const auto list = shared_data(GetParam().summits);
-  if (list.empty()) GTEST_SKIP() << "no " << GetParam().summits;
+  const Arguments dems = shared_dems(GetParam().dem);
+  const std::string list = shared_data(GetParam().summits);
+  if (dems.empty() || list.empty()) GTEST_SKIP() << "no shared test data";
   int visible = 0;
   int hidden = 0;
   for (const Summit& summit : summits_of(list)) {
@@ -182,7 +188,7 @@ TEST_P(SummitsOfTrueViews, AreInTheMiddleOfAViewAimedAtThem) {
     line.precision(10);
     line << "--fov 1 --size 33x33 --eye " << GetParam().eye << " --look-at " << summit.latitude
          << ',' << summit.longitude;
-    ASSERT_TRUE(look(GetParam().dem, line.str()));
+    ASSERT_NO_FATAL_FAILURE(look(dems, line.str()));
     const Layers found = layers("t.tif");
     const TrueCamera camera(json("t.json"));
     const double summit_m = glm::length(camera.towards(summit.latitude, summit.longitude, 1500));
@@ -242,18 +248,18 @@ void warp(const std::string& from, const std::string& to, const char* crs) {
 
 TEST_F(TrueViews, HaveTheSameSkylineInEveryProjection) {
   const auto dem = shared_data("vosges/vosges_hohneck_grandballon_256.tif");
-  if (dem.empty()) GTEST_SKIP() << "no vosges/vosges_hohneck_grandballon_256.tif";
+  if (dem.empty()) GTEST_SKIP() << "no shared test data";
   // The Grand Ballon, well inside the grid: at its rim gdalwarp adds half a post of ground.
   const std::string line =
       "--eye 47.90,7.16,900 --look-at 47.9008,7.0983,1300 --fov 15 --size 480x120";
-  ASSERT_TRUE(look(dem, line));
+  ASSERT_NO_FATAL_FAILURE(look({dem}, line));
   const std::vector<int> expected = skyline(layers("t.tif"));
   for (const char* crs : {"EPSG:32632", "EPSG:3857"}) {
     SCOPED_TRACE(crs);
     const std::string warped = path("warped.tif");
     std::remove(warped.c_str());
     warp(dem, warped, crs);
-    ASSERT_TRUE(look(warped, line));
+    ASSERT_NO_FATAL_FAILURE(look({warped}, line));
     const std::vector<int> rows = skyline(layers("t.tif"));
     std::vector<int> differences;
     for (std::size_t i = 0; i < rows.size(); ++i)

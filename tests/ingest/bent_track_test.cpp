@@ -94,14 +94,8 @@ TEST_P(BentTrack, HasTheSameHitsWithAndWithoutThePyramidBitForBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, BentTrack,
-                         testing::Values(SurfaceModel::hyperboloid, SurfaceModel::triangles,
-                                         SurfaceModel::bilinear),
-                         [](const auto& model) -> std::string {
-                           return model.param == SurfaceModel::hyperboloid ? "hyperboloid"
-                                  : model.param == SurfaceModel::triangles ? "triangles"
-                                                                           : "bilinear";
-                         });
+INSTANTIATE_TEST_SUITE_P(Models, BentTrack, testing::ValuesIn(kSurfaceModels),
+                         [](const auto& model) -> std::string { return name_of(model.param); });
 
 }  // namespace
 }  // namespace terrview

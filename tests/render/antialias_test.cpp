@@ -155,8 +155,9 @@ TEST(Adaptive, IsTheSamePictureForAnyNumberOfThreadsAndWithoutCoherence) {
         EXPECT_EQ(one.counts.rays, other.counts.rays);
         EXPECT_EQ(one.counts.shadow_rays, other.counts.shadow_rays);
       }
-      EXPECT_EQ(one.image.pixels(),
-                render(scene, camera, {.coherence = false, .samples = samples}).image.pixels());
+      EXPECT_EQ(
+          one.image.pixels(),
+          render(scene, camera, {.coherence = Coherence::off, .samples = samples}).image.pixels());
     }
   }
 }

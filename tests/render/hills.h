@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "render/color_ramp.h"
+#include "bench/psnr.h"
 #include "render/render.h"
 #include "tests/support/scenes.h"
 
@@ -47,18 +47,6 @@ inline constexpr double kRadians = std::numbers::pi / 180;
 }
 [[nodiscard]] inline Camera tilted_camera(glm::ivec2 size_px) {
   return Camera({.pitch_rad = -8 * kRadians, .roll_rad = 3 * kRadians, .size_px = size_px});
-}
-
-// Peak signal to noise, dB, in sRGB; infinite for equal pictures.
-[[nodiscard]] inline double psnr_db(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      const double step = to_srgb(a.pixels()[i][c]) - to_srgb(b.pixels()[i][c]);
-      sum += step * step;
-    }
-  }
-  return -10 * std::log10(sum / (3 * static_cast<double>(a.pixels().size())));
 }
 
 }  // namespace terrview

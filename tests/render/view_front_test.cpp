@@ -28,7 +28,7 @@ TEST(ViewFront, ShowsTheSamePictureAsSingleRays) {
     ASSERT_TRUE(view_front(*scene.terrain, camera));
     const Frame frame = render(scene, camera, {.keep_samples = true, .samples = 1});
     const Frame single =
-        render(scene, camera, {.coherence = false, .keep_samples = true, .samples = 1});
+        render(scene, camera, {.coherence = Coherence::off, .keep_samples = true, .samples = 1});
     EXPECT_EQ(frame.image.pixels(), single.image.pixels()) << camera.options().pitch_rad;
     EXPECT_EQ(frame.counts.hits, single.counts.hits);
     EXPECT_LE(frame.counts.tests, 2 * single.counts.tests);

@@ -38,6 +38,18 @@ SkyOptions options_of(double clouds, double sun_elevation_deg = 30) {
   return options;
 }
 
+// Nothing but the air, the sun and its halo.
+SkyOptions cloudless(double sun_elevation_deg = 30) {
+  SkyOptions options = options_of(0, sun_elevation_deg);
+  options.clouds.reset();
+  return options;
+}
+
+// The light that `more` has beyond `less` at a pixel.
+double added(const SkyPainter& more, const SkyPainter& less, glm::ivec2 px) {
+  return static_cast<double>(more.color(px).g - less.color(px).g);
+}
+
 std::vector<glm::vec3> painted(const SkyPainter& painter, glm::ivec2 first, glm::ivec2 size) {
   PixelWindow window{first, size, {}};
   window.wanted.assign(static_cast<std::size_t>(size.x * size.y), true);
@@ -61,8 +73,7 @@ TEST(SkyPainter, PaintsWhatSinglePixelsShow) {
 }
 
 TEST(SkyPainter, WithoutCloudsIsTheClearSkyAndTheSun) {
-  SkyOptions options = options_of(0.3);
-  options.clouds.reset();
+  SkyOptions options = cloudless();
   const SkyCamera camera = camera_of(25);
   const SkyPainter painter(options, camera);
   for (int row = 0; row < 120; row += 11) {
@@ -72,8 +83,7 @@ TEST(SkyPainter, WithoutCloudsIsTheClearSkyAndTheSun) {
 }
 
 TEST(SkyPainter, TheSunIsAWhiteDiscOfItsWidth) {
-  SkyOptions options = options_of(0);
-  options.clouds.reset();
+  SkyOptions options = cloudless();
   options.halo = 0;
   const SkyCamera camera = camera_of(30, {1200, 200});
   const SkyPainter with_sun(options, camera);
@@ -82,9 +92,8 @@ TEST(SkyPainter, TheSunIsAWhiteDiscOfItsWidth) {
   double area_px = 0;
   for (int row = 80; row < 120; ++row)
     for (int column = 580; column < 620; ++column)
-      area_px +=
-          static_cast<double>(with_sun.color({column, row}).g - without.color({column, row}).g);
-  const double one = static_cast<double>(with_sun.color({599, 99}).g - without.color({599, 99}).g);
+      area_px += added(with_sun, without, {column, row});
+  const double one = added(with_sun, without, {599, 99});
   const double radius_px = 0.004652 * camera.focal_px;
   EXPECT_NEAR(area_px / one, std::numbers::pi * radius_px * radius_px, 0.04 * area_px / one);
   const glm::vec3 middle = with_sun.color({599, 99});
@@ -92,16 +101,13 @@ TEST(SkyPainter, TheSunIsAWhiteDiscOfItsWidth) {
 }
 
 TEST(SkyPainter, TheHaloFallsWithTheSquareOfTheDistance) {
-  SkyOptions options = options_of(0);
-  options.clouds.reset();
+  SkyOptions options = cloudless();
   options.sun_radius_rad = 0;
   const SkyCamera camera = camera_of(30, {1200, 100});
   const SkyPainter with_halo(options, camera);
   options.halo = 0;
   const SkyPainter without(options, camera);
-  const auto halo = [&](int column) {
-    return static_cast<double>(with_halo.color({column, 50}).g - without.color({column, 50}).g);
-  };
+  const auto halo = [&](int column) { return added(with_halo, without, {column, 50}); };
   const auto angle = [&](int column) {
     return angle_to_sun(camera, options, {column + 0.5, 50.5});
   };
@@ -126,8 +132,7 @@ TEST(SkyPainter, TheSunAndItsHaloActOnlyWhereTheSkyIsClear) {
 }
 
 TEST(SkyPainter, ASetSunShowsNoDisc) {
-  SkyOptions options = options_of(0, -5);
-  options.clouds.reset();
+  SkyOptions options = cloudless(-5);
   options.halo = 0;
   const SkyPainter painter(options, camera_of(-5));
   const glm::vec3 at_the_sun = painter.color({80, 60});

@@ -33,6 +33,15 @@ inline std::optional<Hit> judged_hit(const Terrain& terrain, const Ray& ray) {
   return terrain.first_hit(ray);
 }
 
+// Bit for bit.
+inline void expect_same_hit(const Hit& found, const Hit& expected, const Ray& ray) {
+  EXPECT_EQ(found.distance_m, expected.distance_m) << oracle::to_string(ray);
+  EXPECT_EQ(found.position_m, expected.position_m) << oracle::to_string(ray);
+  EXPECT_EQ(found.uv, expected.uv) << oracle::to_string(ray);
+  EXPECT_EQ(found.cell, expected.cell) << oracle::to_string(ray);
+  EXPECT_EQ(found.grid, expected.grid) << oracle::to_string(ray);
+}
+
 inline void expect_hit_at(const Terrain& terrain, const Ray& ray, double distance_m,
                           double tolerance_m) {
   const auto hit = judged_hit(terrain, ray);

@@ -15,6 +15,7 @@ struct Uv {
 struct Crossing {
   Real t;
   Uv uv;
+  bool along_band = false;  // a line that counts where ground begins or ends, and nowhere else
 };
 
 // The track of a ray over one grid: a polyline.
@@ -90,16 +91,20 @@ Track track_of(const GroundMap& map, const Line& line, Part part, Shift shift) {
 
 // Adds the crossings of the piece a b with the lines f = 0, 1, ... last, where f goes from fa to
 // fb. `snap` puts a point exactly onto its line.
+struct Lines {
+  int first, last;
+  bool along_band = false;
+};
 template <class Snap>
 void add_crossings(std::vector<Crossing>& out, const Crossing& a, const Crossing& b, Real fa,
-                   Real fb, int first, int last, const Snap& snap) {
+                   Real fb, Lines lines, const Snap& snap) {
   if (fa == fb) return;
-  const Real lowest = std::max(std::ceil(std::min(fa, fb)), static_cast<Real>(first));
-  const Real highest = std::min(std::floor(std::max(fa, fb)), static_cast<Real>(last));
+  const Real lowest = std::max(std::ceil(std::min(fa, fb)), static_cast<Real>(lines.first));
+  const Real highest = std::min(std::floor(std::max(fa, fb)), static_cast<Real>(lines.last));
   for (Real line = lowest; line <= highest; ++line) {
     const Real share = (line - fa) / (fb - fa);
     const Uv uv{a.uv.u + (b.uv.u - a.uv.u) * share, a.uv.v + (b.uv.v - a.uv.v) * share};
-    out.push_back({a.t + (b.t - a.t) * share, snap(uv, line)});
+    out.push_back({a.t + (b.t - a.t) * share, snap(uv, line), lines.along_band});
   }
 }
 
@@ -108,14 +113,19 @@ std::vector<Crossing> crossings_of(const Track& track, const HeightGrid& grid, S
   for (std::size_t i = 1; i < track.knots.size(); ++i) {
     const Crossing& a = track.knots[i - 1];
     const Crossing& b = track.knots[i];
-    add_crossings(out, a, b, a.uv.u, b.uv.u, 0, grid.columns - 1, [](Uv uv, Real line) {
-      return Uv{line, uv.v};
-    });
-    add_crossings(out, a, b, a.uv.v, b.uv.v, 0, grid.rows - 1, [](Uv uv, Real line) {
-      return Uv{uv.u, line};
-    });
+    const bool is_band = model == SurfaceModel::band;
+    const bool by_columns =
+        std::fabs(b.uv.u - a.uv.u) > (1 + Real{1e-9}) * std::fabs(b.uv.v - a.uv.v);
+    add_crossings(out, a, b, a.uv.u, b.uv.u, {0, grid.columns - 1, is_band && !by_columns},
+                  [](Uv uv, Real line) {
+                    return Uv{line, uv.v};
+                  });
+    add_crossings(out, a, b, a.uv.v, b.uv.v, {0, grid.rows - 1, is_band && by_columns},
+                  [](Uv uv, Real line) {
+                    return Uv{uv.u, line};
+                  });
     if (model == SurfaceModel::triangles)
-      add_crossings(out, a, b, a.uv.u - a.uv.v, b.uv.u - b.uv.v, 1 - grid.rows, grid.columns - 1,
+      add_crossings(out, a, b, a.uv.u - a.uv.v, b.uv.u - b.uv.v, {1 - grid.rows, grid.columns - 1},
                     [](Uv uv, Real line) {
                       return Uv{uv.v + line, uv.v};
                     });
@@ -144,6 +154,26 @@ bool find_cell(const HeightGrid& grid, Uv uv, glm::ivec2& cell) {
   cell = {std::min(static_cast<int>(uv.u), grid.columns - 2),
           std::min(static_cast<int>(uv.v), grid.rows - 2)};
   return has_ground(grid, cell);
+}
+
+// Drops the crossings that a band goes over: those with ground on both sides, or on neither.
+void join_bands(std::vector<Crossing>& crossings, const Track& track, const HeightGrid& grid) {
+  // By crossing, whether there is ground on the way there from the one before.
+  std::vector<bool> ground(crossings.size(), false);
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    glm::ivec2 cell;
+    const Real from_t = crossings[i - 1].t;
+    ground[i] = from_t == crossings[i].t
+                    ? static_cast<bool>(ground[i - 1])
+                    : find_cell(grid, track.at((from_t + crossings[i].t) / 2), cell);
+  }
+  std::vector<Crossing> kept;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    std::size_t after = i;
+    while (after + 1 < crossings.size() && crossings[after].t == crossings[i].t) ++after;
+    if (!crossings[i].along_band || ground[i] != ground[after]) kept.push_back(crossings[i]);
+  }
+  crossings = kept;
 }
 
 // 1 / R along the azimuth of a ground point, by Euler's formula.
@@ -179,8 +209,23 @@ struct CellView {
            z_per_height(frame, line.x + line.dx * a.t, line.y + line.dy * a.t, height_at(a));
   }
 
+  // A band may begin and end beside the cell in its middle.
   [[nodiscard]] Real height_at(const Crossing& at) const {
+    if (terrain.model() == SurfaceModel::band) return band_height(at.uv) * terrain.frame().z_scale;
     return scene_height_m(grid, terrain.model(), cell, at.uv.u, at.uv.v, terrain.frame().z_scale);
+  }
+
+  // On a line it takes the posts of that line alone: others may have no height.
+  [[nodiscard]] Real band_height(Uv uv) const {
+    const auto column = static_cast<int>(uv.u);
+    const auto row = static_cast<int>(uv.v);
+    const Real p = uv.u - column;
+    const Real q = uv.v - row;
+    const Real from = height(grid, column, row);
+    if (p == 0 && q == 0) return from;
+    if (q == 0) return from + (height(grid, column + 1, row) - from) * p;
+    if (p == 0) return from + (height(grid, column, row + 1) - from) * q;
+    return scene_height_m(grid, SurfaceModel::band, {column, row}, uv.u, uv.v, 1);
   }
 };
 
@@ -188,7 +233,8 @@ std::vector<Span> spans_of(const Terrain& terrain, const Line& line, std::size_t
                            Shift shift) {
   const TerrainLayer& here = terrain.layers()[layer];
   const Track track = track_of(*here.map, line, part, shift);
-  const std::vector<Crossing> crossings = crossings_of(track, *here.grid, terrain.model());
+  std::vector<Crossing> crossings = crossings_of(track, *here.grid, terrain.model());
+  if (terrain.model() == SurfaceModel::band) join_bands(crossings, track, *here.grid);
   const bool is_point = part.from_t == part.to_t;
   std::vector<Span> spans;
   for (std::size_t i = 1; i < crossings.size(); ++i) {

@@ -8,18 +8,6 @@
 
 namespace terrview {
 
-const char* name_of(SurfaceModel model) {
-  switch (model) {
-    case SurfaceModel::hyperboloid:
-      return "hyperboloid";
-    case SurfaceModel::triangles:
-      return "triangles";
-    case SurfaceModel::bilinear:
-      return "bilinear";
-  }
-  return "unknown";
-}
-
 HeightGrid make_grid(int columns, int rows,
                      const std::function<double(int column, int row)>& height_m) {
   HeightGrid grid{columns, rows, {}};

@@ -1,7 +1,6 @@
 // Small terrains whose answers are known in closed form.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -12,11 +11,6 @@
 #include "terrain/terrain.h"
 
 namespace terrview {
-
-inline constexpr std::array kSurfaceModels{SurfaceModel::hyperboloid, SurfaceModel::triangles,
-                                           SurfaceModel::bilinear};
-
-[[nodiscard]] const char* name_of(SurfaceModel model);
 
 inline constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 

@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "terrain/terrain.h"
+#include "tests/support/expectations.h"
 #include "tests/support/instruction_sets.h"
-#include "tests/support/judge.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 
@@ -52,12 +52,7 @@ int expect_hits_of_single_rays(const Terrain& terrain, const ColumnView& view, i
       const ColumnHit& found = hits[static_cast<std::size_t>(i) * rows + row];
       EXPECT_EQ(found.g_m >= 0, expected.has_value()) << oracle::to_string(ray);
       if (!expected || found.g_m < 0) continue;
-      const Hit hit = column_hit(view, first + i, static_cast<int>(row), found);
-      EXPECT_EQ(hit.distance_m, expected->distance_m) << oracle::to_string(ray);
-      EXPECT_EQ(hit.position_m, expected->position_m) << oracle::to_string(ray);
-      EXPECT_EQ(hit.uv, expected->uv) << oracle::to_string(ray);
-      EXPECT_EQ(hit.cell, expected->cell) << oracle::to_string(ray);
-      EXPECT_EQ(hit.grid, expected->grid);
+      expect_same_hit(column_hit(view, first + i, static_cast<int>(row), found), *expected, ray);
       ++met;
     }
   }

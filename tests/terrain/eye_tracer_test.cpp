@@ -9,8 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/support/expectations.h"
 #include "tests/support/instruction_sets.h"
-#include "tests/support/judge.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 
@@ -55,11 +55,7 @@ int expect_hits_of_single_rays(const EyeFront& front, const std::vector<glm::dve
       EXPECT_EQ(rays->is_hit(i), expected.has_value()) << oracle::to_string(ray);
       if (!expected || !rays->is_hit(i)) continue;
       const Hit hit = rays->hit(i);
-      EXPECT_EQ(hit.distance_m, expected->distance_m) << oracle::to_string(ray);
-      EXPECT_EQ(hit.position_m, expected->position_m) << oracle::to_string(ray);
-      EXPECT_EQ(hit.uv, expected->uv) << oracle::to_string(ray);
-      EXPECT_EQ(hit.cell, expected->cell) << oracle::to_string(ray);
-      EXPECT_EQ(hit.grid, expected->grid);
+      expect_same_hit(hit, *expected, ray);
       const glm::dvec3 normal(normals->x[i], normals->y[i], normals->z[i]);
       EXPECT_EQ(normal, front.terrain().facet_normal(hit));
       ++met;
