@@ -1,0 +1,25 @@
+// The objects of a scene and what they look like.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "render/objects/object_set.h"
+
+namespace terrview {
+
+struct ObjectLook {
+  std::int32_t id = 1;         // above 0; several objects may be one thing
+  glm::vec3 color{0.6F};       // linear
+  glm::vec3 roof_color{0.6F};  // of Prism::kRoof
+};
+
+struct SceneObjects {
+  std::shared_ptr<const ObjectSet> set;
+  std::vector<ObjectLook> looks;  // one for each object of the set
+};
+
+}  // namespace terrview
