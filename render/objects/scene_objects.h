@@ -12,9 +12,10 @@
 namespace terrview {
 
 struct ObjectLook {
-  std::int32_t id = 1;         // above 0; several objects may be one thing
-  glm::vec3 color{0.6F};       // linear
-  glm::vec3 roof_color{0.6F};  // of Prism::kRoof
+  std::int32_t id = 1;  // above 0; several objects may be one thing
+  // Linear: the second is that of part 1 (roofs, trunks).
+  glm::vec3 color{0.6F};
+  glm::vec3 roof_color{0.6F};
 };
 
 struct SceneObjects {
