@@ -6,6 +6,7 @@
 
 #include "cli/camera_json.h"
 #include "cli/view_light.h"
+#include "cli/view_objects.h"
 #include "cli/view_setup.h"
 #include "terrain/error.h"
 
@@ -53,6 +54,8 @@ void check_sampling(const ViewOptions& options) {
     throw InputError("--aa: give a difference in sRGB from 0 to 1, as 0.03");
   if (options.sampling.preview && !options.layers.empty())
     throw InputError("--layers: a preview does not trace every pixel: leave out --preview");
+  if (options.sampling.preview && !options.objects.csv.empty())
+    throw InputError("--objects-csv: a preview does not trace every pixel: leave out --preview");
 }
 
 void check_palette(const ViewOptions& options) {
@@ -78,6 +81,7 @@ void prepare(ViewOptions& options) {
   check_air(options.air);
   check_sampling(options);
   check_palette(options);
+  check_objects(options.objects);
   const ResolvedView known = known_view(options);
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/interrupt.h"
+#include "cli/objects_csv.h"
 #include "cli/palette_file.h"
 #include "cli/palette_picture.h"
 #include "cli/prepare_view.h"
@@ -47,7 +48,7 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
   ProgressBar bar("rendering", shows_bar(options));
   RenderOptions how{.threads = options.threads,
                     .coherence = options.coherence,
-                    .keep_samples = files.layers != nullptr,
+                    .keep_samples = files.layers != nullptr || files.objects_csv != nullptr,
                     .samples = options.sampling.samples,
                     .contrast = static_cast<float>(options.sampling.contrast),
                     .preview = options.sampling.preview};
@@ -85,6 +86,10 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
   if (files.layers)
     files.layers->fill([&](const std::string& path) {
       write_layers_file(path, frame, view.frame, options.threads, camera_text);
+    });
+  if (files.objects_csv)
+    files.objects_csv->fill([&](const std::string& path) {
+      write_file(path, objects_csv(view, frame, options.threads));
     });
   if (files.camera)
     files.camera->fill([&](const std::string& path) { write_file(path, camera_text + "\n"); });

@@ -1,6 +1,7 @@
 #include "cli/view_files.h"
 
 #include <system_error>
+#include <vector>
 
 #include "cli/camera_json.h"
 #include "cli/parse.h"
@@ -39,11 +40,12 @@ ViewFiles::ViewFiles(const ViewOptions& options) {
   stats = claim(options.stats, options);
   camera = claim(options.camera, options);
   palette = claim(options.palette.save_palette, options);
+  objects_csv = claim(options.objects.csv, options);
   progressive = claim(options.progressive, options);
 }
 
 void ViewFiles::commit() {
-  for (const auto* file : {&image, &layers, &stats, &camera, &palette}) {
+  for (const auto* file : {&image, &layers, &stats, &camera, &palette, &objects_csv}) {
     if (*file) (*file)->commit();
   }
 }
@@ -52,10 +54,12 @@ std::unique_ptr<OutputFile> ViewFiles::claim(const std::string& path, const View
   if (path.empty()) return nullptr;
   if (!claimed_.insert(std::filesystem::absolute(path).lexically_normal()).second)
     throw InputError("'" + path + "': named for two outputs: give each a name of its own");
-  for (const std::string& dem : options.dems) {
+  std::vector<std::string> inputs = options.dems;
+  inputs.insert(inputs.end(), {options.objects.buildings, options.objects.trees});
+  for (const std::string& input : inputs) {
     std::error_code not_both_exist;
-    if (std::filesystem::equivalent(path, dem, not_both_exist))
-      throw InputError("'" + path + "': is a DEM of this view: write to another file");
+    if (std::filesystem::equivalent(path, input, not_both_exist))
+      throw InputError("'" + path + "': is read by this view: write to another file");
   }
   return std::make_unique<OutputFile>(path, options.overwrite);
 }

@@ -14,7 +14,7 @@ namespace terrview {
 // Claimed before the work begins; what was not asked for is null.
 class ViewFiles {
  public:
-  // Throws InputError for a name that cannot be written, or is used twice or by a DEM.
+  // Throws InputError for a name that cannot be written, or is used twice or by an input.
   explicit ViewFiles(const ViewOptions& options);
 
   // Puts them under their names.
@@ -25,6 +25,7 @@ class ViewFiles {
   std::unique_ptr<OutputFile> stats;
   std::unique_ptr<OutputFile> camera;
   std::unique_ptr<OutputFile> palette;
+  std::unique_ptr<OutputFile> objects_csv;
   std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
 
  private:

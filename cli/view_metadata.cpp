@@ -7,6 +7,7 @@
 
 #include "cli/command_line.h"
 #include "cli/view_light.h"
+#include "cli/view_objects.h"
 
 namespace terrview {
 namespace {
@@ -63,6 +64,16 @@ Json samples_json(const SamplingOptions& options) {
   return {{"adaptive", options.contrast}};
 }
 
+Json buildings_json(const ObjectOptions& options) {
+  Json json;
+  json["file"] = file_name(options.buildings);
+  if (!options.reading.height_field.empty()) json["height"] = options.reading.height_field;
+  json["default_height_m"] = options.placing.default_height_m;
+  json["base"] = name_of(options.placing.base);
+  if (!options.building_color.empty()) json["color"] = options.building_color;
+  return json;
+}
+
 Json palette_json(const PaletteOptions& options) {
   Json json;
   if (options.colors) json["colors"] = *options.colors;
@@ -93,6 +104,8 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["sky_view"] = light.sky_azimuths;
   json["air"] = air_json(options.air);
   json["sky"] = sky_json(options.sky);
+  if (!options.objects.buildings.empty()) json["buildings"] = buildings_json(options.objects);
+  if (!options.objects.trees.empty()) json["trees"] = file_name(options.objects.trees);
   json["samples"] = samples_json(options.sampling);
   json["lod"] = options.sampling.detail;
   json["surface"] = name_of(options.surface);

@@ -2,6 +2,7 @@
 
 #include "cli/add_option.h"
 #include "cli/view_light_options.h"
+#include "cli/view_objects.h"
 #include "cli/view_sky.h"
 
 namespace terrview {
@@ -153,6 +154,7 @@ void add_view_options(CLI::App& app, ViewOptions& options) {
   add_ground_options(app, options);
   add_light_options(app, options);
   add_view_sky_options(app, options.sky);
+  add_object_options(app, options.objects);
   add_sampling_options(app, options);
   add_output_options(app, options);
 }

@@ -11,6 +11,7 @@
 
 #include "cli/parse.h"
 #include "cli/quantize_options.h"
+#include "ingest/buildings.h"
 #include "ingest/dem.h"
 #include "ingest/view_frame.h"
 #include "render/camera.h"
@@ -54,6 +55,15 @@ struct ViewSkyOptions {
   double turbidity = 2.5;
 };
 
+struct ObjectOptions {
+  std::string buildings;
+  std::string trees;
+  FootprintOptions reading;
+  BuildingOptions placing;
+  std::string building_color;  // as given
+  std::string csv;
+};
+
 struct SamplingOptions {
   int samples = 0;  // a pixel; 0 = adaptive
   double contrast = 0.03;
@@ -85,6 +95,7 @@ struct ViewOptions {
   LightOptions light;
   AirOptions air;
   ViewSkyOptions sky;
+  ObjectOptions objects;
   SamplingOptions sampling;
   std::string colors;
   int threads = 0;

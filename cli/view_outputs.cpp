@@ -181,6 +181,12 @@ Json stats_json(const Frame& frame, const ViewFrame& view_frame, const Camera& c
                     {"pixel", view_frame.direction_error_rad() /
                                   pixel_rad(camera, view_frame.terrain()->reach_m())}};
   json["voids"] = {{"filled", filled}, {"open", open}};
+  if (counts.objects.tests > 0 || counts.shadow_objects.tests > 0)
+    json["objects"] = {
+        {"tests_per_ray", per(counts.objects.tests, counts.rays)},
+        {"steps_per_ray", per(counts.objects.steps, counts.rays)},
+        {"tests_per_shadow_ray", per(counts.shadow_objects.tests, counts.shadow_rays)},
+        {"steps_per_shadow_ray", per(counts.shadow_objects.steps, counts.shadow_rays)}};
   return json;
 }
 

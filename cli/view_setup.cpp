@@ -168,7 +168,9 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   Scene scene = make_scene(options, frame, sun);
   const Camera camera = make_camera(resolved);
   scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
-  return {std::move(frame), resolved, sun, camera, std::move(scene)};
+  ViewObjects objects = read_objects(options.objects, frame);
+  scene.objects = objects.placed.scene_objects();
+  return {std::move(frame), resolved, sun, camera, std::move(scene), std::move(objects)};
 }
 
 }  // namespace terrview

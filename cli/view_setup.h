@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/camera_json.h"
+#include "cli/view_objects.h"
 #include "cli/view_options.h"
 #include "ingest/view_frame.h"
 #include "render/camera.h"
@@ -27,6 +28,7 @@ struct View {
   SunPosition sun;
   Camera camera;
   Scene scene;
+  ViewObjects objects;
 };
 
 [[nodiscard]] View make_view(const ViewOptions& options, const std::vector<Dem>& dems);

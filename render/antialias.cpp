@@ -139,7 +139,7 @@ void supersample(Sampler& sampler, int samples, const Raster<Sample>& base, cons
     sampler.set_progress(static_cast<double>(index) / samples,
                          static_cast<double>(index + 1) / samples);
     sampler.trace_lattice(
-        index, 1, is_traced, [&](glm::ivec2 pixel, const ShadedRay& shaded, const Hit*) {
+        index, 1, is_traced, [&](glm::ivec2 pixel, const ShadedRay& shaded, const Seen&) {
           image.at(pixel.x, pixel.y) += resolve(pixel, {shaded.color, shaded.distance_m});
         });
   }

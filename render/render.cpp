@@ -50,20 +50,20 @@ class Picture {
     return options_.samples == 0 ? kCentres : 1.0 / options_.samples;
   }
 
-  void keep(glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+  void keep(glm::ivec2 pixel, const ShadedRay& shaded, const Seen& seen) {
     base_.at(pixel.x, pixel.y) = {shaded.color, shaded.distance_m};
-    if (!frame_.samples.empty()) keep_layers(pixel, shaded, hit);
+    if (!frame_.samples.empty()) keep_layers(pixel, shaded, seen);
   }
 
-  void keep_layers(glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
+  void keep_layers(glm::ivec2 pixel, const ShadedRay& shaded, const Seen& seen) {
     PixelSample& sample = frame_.samples.at(pixel.x, pixel.y);
     sample.clear = shaded.clear;
     sample.air = shaded.air;
     sample.transmission = shaded.transmission;
-    if (!hit) return;
-    sample.position_m = hit->position_m;
+    if (seen.id == PixelSample::kNothing) return;
+    sample.position_m = seen.position_m;
     sample.normal = shaded.normal;
-    sample.object_id = PixelSample::kGround;
+    sample.object_id = seen.id;
   }
 
   // Coarse blocks, and finer ones where they differ.
@@ -71,8 +71,8 @@ class Picture {
     for (int block_px = kFirstBlock_px; block_px >= 1; block_px /= 2) {
       sampler_.set_progress(0, options_.preview ? 1.0 / block_px : 0);
       refine(sampler_, block_px, options_.contrast, base_,
-             [&](glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
-               keep(pixel, shaded, hit);
+             [&](glm::ivec2 pixel, const ShadedRay& shaded, const Seen& seen) {
+               keep(pixel, shaded, seen);
              });
       if (options_.improved) options_.improved(mixed_blocks(base_, options_.threads));
     }
@@ -98,8 +98,8 @@ class Picture {
         [&](glm::ivec2 pixel) {
           return !base_.at(pixel.x, pixel.y).traced() && (layers || !is_filled(pixel));
         },
-        [&](glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit) {
-          keep(pixel, shaded, hit);
+        [&](glm::ivec2 pixel, const ShadedRay& shaded, const Seen& seen) {
+          keep(pixel, shaded, seen);
         });
   }
 
@@ -166,6 +166,8 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
   tests += other.tests;
   nodes += other.nodes;
   shadow_rays += other.shadow_rays;
+  objects += other.objects;
+  shadow_objects += other.shadow_objects;
   trace_s += other.trace_s;
   shade_s += other.shade_s;
   return *this;

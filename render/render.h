@@ -8,6 +8,7 @@
 
 #include "render/camera.h"
 #include "render/image.h"
+#include "render/objects/object_set.h"
 #include "render/scene.h"
 
 namespace terrview {
@@ -53,7 +54,7 @@ struct PixelSample {
   float transmission = 1;
 
   static constexpr std::int32_t kNothing = -1;
-  static constexpr std::int32_t kGround = 0;
+  static constexpr std::int32_t kGround = 0;  // objects have numbers above it
 };
 
 struct RenderCounts {
@@ -62,7 +63,9 @@ struct RenderCounts {
   std::int64_t tests = 0;  // spans of ground compared with those rays
   std::int64_t nodes = 0;  // blocks of the pyramid compared with them
   std::int64_t shadow_rays = 0;
-  double trace_s = 0;  // summed over the threads
+  ObjectCounts objects;         // of the rays from the eye
+  ObjectCounts shadow_objects;  // of the shadow rays
+  double trace_s = 0;           // summed over the threads
   double shade_s = 0;
 
   RenderCounts& operator+=(const RenderCounts& other);

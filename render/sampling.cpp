@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/neighbour_tracer.h"
+#include "render/objects/scene_objects.h"
 #include "render/parallel.h"
 #include "render/pixel_tracer.h"
 #include "render/stopwatch.h"
@@ -15,13 +16,18 @@
 namespace terrview {
 namespace {
 
-RenderCounts count_of(const std::vector<std::optional<Hit>>& hits, const TraceCounts& traced) {
+RenderCounts count_of(const TraceCounts& traced) {
   RenderCounts counts;
-  counts.rays = static_cast<std::int64_t>(hits.size());
-  for (const auto& hit : hits) counts.hits += hit ? 1 : 0;
   counts.tests = traced.tests;
   counts.nodes = traced.nodes;
   return counts;
+}
+
+std::int64_t count_hits(const RayHits& hits) {
+  std::int64_t count = 0;
+  for (const auto& hit : hits.ground) count += hit ? 1 : 0;
+  for (const auto& hit : hits.objects) count += hit ? 1 : 0;
+  return count;
 }
 
 }  // namespace
@@ -84,6 +90,30 @@ void Sampler::trace_lattice(int index, int step, const Wanted& wanted, const Tak
   for (const RenderCounts& block : block_counts) total += block;
 }
 
+std::vector<ShadedRay> Sampler::shade_rays(std::span<const Ray> rays, RayHits& hits,
+                                           RenderCounts& counts) const {
+  Stopwatch stopwatch;
+  meet_objects(scene_, rays, hits, counts.objects);
+  counts.rays = static_cast<std::int64_t>(rays.size());
+  counts.hits = count_hits(hits);
+  counts.trace_s += stopwatch.lap();
+  ShadowCounts shadows;
+  std::vector<ShadedRay> shaded = shade(scene_, pixel_width_, rays, hits, shadows);
+  counts.shadow_rays = shadows.rays;
+  counts.shadow_objects = shadows.objects;
+  counts.shade_s = stopwatch.lap();
+  return shaded;
+}
+
+Seen Sampler::seen(const RayHits& hits, std::size_t i) const {
+  if (hits.meets_object(i)) {
+    const ObjectHit& hit = *hits.objects[i];
+    return {scene_.objects->looks[static_cast<std::size_t>(hit.object)].id, hit.surface.position_m};
+  }
+  if (hits.ground[i]) return {PixelSample::kGround, hits.ground[i]->position_m};
+  return {};
+}
+
 RenderCounts Sampler::trace_block(const PixelTracer& tracer, const LatticeBlock& part,
                                   const Wanted& wanted, const Take& take) const {
   Stopwatch stopwatch;
@@ -92,19 +122,17 @@ RenderCounts Sampler::trace_block(const PixelTracer& tracer, const LatticeBlock&
       tracer.points(part.block, [&](glm::ivec2 point) { return !wanted || wanted(step * point); });
   TraceCounts traced;
   const std::vector<Ray> rays = tracer.rays(points);
-  std::vector<std::optional<Hit>> hits;
+  RayHits hits;
   if (part.is_known) {
     for (const glm::ivec2& point : points)
-      hits.push_back(centres_.at(step * point.x, step * point.y));
+      hits.ground.push_back(centres_.at(step * point.x, step * point.y));
   } else {
-    hits = tracer.trace(part.block, points, traced);
+    hits.ground = tracer.trace(part.block, points, traced);
   }
-  RenderCounts counts = count_of(hits, traced);
+  RenderCounts counts = count_of(traced);
   counts.trace_s = stopwatch.lap();
-  const std::vector<ShadedRay> shaded = shade(scene_, pixel_width_, rays, hits, counts.shadow_rays);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    take(step * points[i], shaded[i], hits[i] ? &*hits[i] : nullptr);
-  counts.shade_s = stopwatch.lap();
+  const std::vector<ShadedRay> shaded = shade_rays(rays, hits, counts);
+  for (std::size_t i = 0; i < points.size(); ++i) take(step * points[i], shaded[i], seen(hits, i));
   return counts;
 }
 
@@ -114,14 +142,12 @@ std::vector<Sample> Sampler::trace_points(std::span<const glm::dvec2> points_px,
   std::vector<Ray> rays;
   for (const glm::dvec2& point : points_px) rays.push_back(camera_.ray(point));
   TraceCounts traced;
-  const std::vector<std::optional<Hit>> hits =
-      trace_rays(*scene_.terrain, front_.get(), rays, traced);
-  RenderCounts mine = count_of(hits, traced);
+  RayHits hits{trace_rays(*scene_.terrain, front_.get(), rays, traced)};
+  RenderCounts mine = count_of(traced);
   mine.trace_s = stopwatch.lap();
   std::vector<Sample> samples;
-  for (const ShadedRay& shaded : shade(scene_, pixel_width_, rays, hits, mine.shadow_rays))
+  for (const ShadedRay& shaded : shade_rays(rays, hits, mine))
     samples.push_back({shaded.color, shaded.distance_m});
-  mine.shade_s = stopwatch.lap();
   counts += mine;
   return samples;
 }

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "render/meet.h"
 #include "render/pixel_tracer.h"
 #include "render/render.h"
 #include "render/shade.h"
@@ -27,6 +28,12 @@ struct Sample {
   [[nodiscard]] bool ground() const { return distance_m < std::numeric_limits<float>::infinity(); }
 };
 
+// What a ray from the eye shows.
+struct Seen {
+  std::int32_t id = PixelSample::kNothing;  // as PixelSample::object_id
+  glm::dvec3 position_m{0, 0, 0};           // where it shows something
+};
+
 // Where in its pixel the ray `index` goes, both coordinates in [0, 1): the centre for 0, then the
 // (0, 2)-sequence of van der Corput and Sobol', turned so that it begins there. The first four and
 // the first sixteen have one in each of as many columns, rows and squares of the pixel.
@@ -38,8 +45,8 @@ class Sampler {
   // References must outlive it.
   Sampler(const Scene& scene, const Camera& camera, const RenderOptions& options);
 
-  // What is done with a pixel's ray: called once each, from any thread; `hit` is null for a miss.
-  using Take = std::function<void(glm::ivec2 pixel, const ShadedRay& shaded, const Hit* hit)>;
+  // What is done with a pixel's ray: called once each, from any thread.
+  using Take = std::function<void(glm::ivec2 pixel, const ShadedRay& shaded, const Seen& seen)>;
   // Whether a pixel is wanted; empty = all are.
   using Wanted = std::function<bool(glm::ivec2 pixel)>;
 
@@ -68,6 +75,10 @@ class Sampler {
     int step;
     bool is_known;  // its hits are those of centres_
   };
+  // Puts objects before the ground, and shades what the rays meet. Adds to `counts`.
+  std::vector<ShadedRay> shade_rays(std::span<const Ray> rays, RayHits& hits,
+                                    RenderCounts& counts) const;
+  [[nodiscard]] Seen seen(const RayHits& hits, std::size_t i) const;
   RenderCounts trace_block(const PixelTracer& tracer, const LatticeBlock& part,
                            const Wanted& wanted, const Take& take) const;
 

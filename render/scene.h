@@ -1,4 +1,5 @@
-// What is to be seen: the ground, its colours, the light and the sky. Immutable while rendering.
+// What is to be seen: the ground, what stands on it, its colours, the light and the sky. Immutable
+// while rendering.
 #pragma once
 
 #include <memory>
@@ -48,6 +49,7 @@ inline constexpr double kExtinctionTimesVisibility = 3.912;
 enum class NormalKind { smooth, facet };
 
 class PaintedSky;
+struct SceneObjects;
 
 struct Scene {
   std::shared_ptr<const Terrain> terrain;
@@ -58,6 +60,7 @@ struct Scene {
   std::shared_ptr<const std::vector<SkyView>> sky_views;
   Light light;
   SkyGradient sky;
+  std::shared_ptr<const SceneObjects> objects;    // none: the ground alone
   std::shared_ptr<const PaintedSky> painted_sky;  // none: the plain one above
   Air air;
 };

@@ -3,12 +3,18 @@
 #include <glm/geometric.hpp>
 
 #include "render/air.h"
+#include "render/objects/level_plane.h"
+#include "render/objects/prism.h"
+#include "render/objects/scene_objects.h"
 #include "render/painted_sky.h"
 #include "render/shadows.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
 namespace {
+
+// How far a shadow ray begins off an object, as a share of the numbers that its place is made of.
+constexpr double kOffSurface = 1e-10;
 
 GroundDetail::Ground exact_ground(const Scene& scene, const Hit& hit) {
   const VerticalFrame& frame = scene.terrain->frame();
@@ -39,36 +45,83 @@ std::vector<float> face_sun(const Scene& scene, const PixelWidth& pixel, std::sp
   return facings;
 }
 
-// Takes from the facings what the ground hides of the sun.
-void cast_shadows(const Scene& scene, std::span<const std::optional<Hit>> hits,
-                  std::span<float> facings, std::int64_t& shadow_rays) {
+// A surface's normal as those of Terrain are.
+glm::dvec3 plumb_normal(const VerticalFrame& frame, const SurfaceHit& surface) {
+  if (frame.is_flat()) return surface.normal;
+  const glm::dvec2 ground_m(surface.position_m);
+  const double height_m = frame.at(ground_m).scene_height_m(surface.position_m.z);
+  return glm::normalize(level_plane(frame, ground_m, height_m).plumb_normal(surface.normal));
+}
+
+// The same for the objects that are met.
+void objects_face_sun(const Scene& scene, std::span<const Ray> rays, const RayHits& hits,
+                      std::span<ShadedRay> shaded, std::span<float> facings) {
+  for (std::size_t i = 0; i < hits.objects.size(); ++i) {
+    if (!hits.objects[i]) continue;
+    const SurfaceHit& surface = hits.objects[i]->surface;
+    const ObjectLook& look =
+        scene.objects->looks[static_cast<std::size_t>(hits.objects[i]->object)];
+    shaded[i].distance_m = static_cast<float>(glm::distance(surface.position_m, rays[i].origin_m));
+    shaded[i].normal = plumb_normal(scene.terrain->frame(), surface);
+    shaded[i].clear = surface.part == Prism::kRoof ? look.roof_color : look.color;
+    const glm::dvec3 to_sun =
+        local_direction(scene.terrain->frame(), surface.position_m, scene.light.towards_sun);
+    const double facing = glm::dot(glm::dvec3(shaded[i].normal), to_sun);
+    if (to_sun.z > 0 && facing > 0) facings[i] = static_cast<float>(facing);
+  }
+}
+
+// Where light that reaches a hit comes to: on the ground, or just off the object.
+Hit lit_point(const RayHits& hits, std::size_t i) {
+  if (!hits.meets_object(i)) return *hits.ground[i];
+  const SurfaceHit& surface = hits.objects[i]->surface;
+  const glm::dvec3 size = glm::abs(surface.position_m);
+  Hit point{};
+  point.position_m =
+      surface.position_m + kOffSurface * (size.x + size.y + size.z + 1) * surface.normal;
+  return point;
+}
+
+// Takes from the facings what ground and objects hide of the sun.
+void cast_shadows(const Scene& scene, const RayHits& hits, std::span<float> facings,
+                  ShadowCounts& counts) {
   std::vector<std::size_t> indices;
   std::vector<Hit> points;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
+  for (std::size_t i = 0; i < facings.size(); ++i) {
     if (facings[i] <= 0) continue;
     indices.push_back(i);
-    points.push_back(*hits[i]);
+    points.push_back(lit_point(hits, i));
   }
-  const std::vector<float> shares = sun_shares(*scene.terrain, scene.light, points, shadow_rays);
+  const ShadowCasters casters{*scene.terrain, scene.objects ? scene.objects->set.get() : nullptr};
+  const std::vector<float> shares = sun_shares(casters, scene.light, points, counts);
   for (std::size_t i = 0; i < indices.size(); ++i) facings[indices[i]] *= shares[i];
   if (!scene.painted_sky) return;
-  for (const std::size_t i : indices) {
-    if (facings[i] > 0) facings[i] *= scene.painted_sky->sun_share(hits[i]->position_m);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    float& facing = facings[indices[i]];
+    if (facing > 0) facing *= scene.painted_sky->sun_share(points[i].position_m);
   }
 }
 
-glm::vec3 sky_light(const Scene& scene, const Hit& hit) {
+glm::vec3 sky_light(const Scene& scene, int grid, glm::dvec2 uv) {
   if (!scene.sky_views) return scene.light.ambient;
-  return scene.light.ambient * (*scene.sky_views)[static_cast<std::size_t>(hit.grid)].at(hit.uv);
+  return scene.light.ambient * (*scene.sky_views)[static_cast<std::size_t>(grid)].at(uv);
 }
 
-// Puts the air before what the ray meets at `hit`.
-void add_air(const Scene& scene, const Ray& ray, const Hit& hit, ShadedRay& shaded) {
+// An object sees as much of the sky as it faces, and half as bright ground otherwise.
+glm::vec3 light_on_object(const Scene& scene, const glm::dvec3& position_m,
+                          const glm::vec3& normal) {
+  const auto ground = scene.terrain->ground_at(glm::dvec2(position_m));
+  const float share = 0.75F + 0.25F * normal.z;
+  return share * (ground ? sky_light(scene, ground->grid, ground->uv) : scene.light.ambient);
+}
+
+// Puts the air before what the ray meets.
+void add_air(const Scene& scene, const Ray& ray, const glm::dvec3& position_m, ShadedRay& shaded) {
   shaded.color = shaded.clear;
   if (scene.air.extinction_per_m <= 0) return;
   const VerticalFrame& frame = scene.terrain->frame();
   const double distance_m =
-      glm::distance(to_true_enu(frame, hit.position_m), to_true_enu(frame, ray.origin_m));
+      glm::distance(to_true_enu(frame, position_m), to_true_enu(frame, ray.origin_m));
   shaded.transmission = transmission(scene.air, distance_m);
   shaded.air = air_color(scene, glm::normalize(ray.direction));
   shaded.color = shaded.clear * shaded.transmission + shaded.air * (1 - shaded.transmission);
@@ -82,14 +135,20 @@ PixelWidth pixel_width(const Camera& camera) {
 }
 
 std::vector<ShadedRay> shade(const Scene& scene, const PixelWidth& pixel, std::span<const Ray> rays,
-                             std::span<const std::optional<Hit>> hits, std::int64_t& shadow_rays) {
-  std::vector<ShadedRay> shaded(hits.size());
-  std::vector<float> sunlit = face_sun(scene, pixel, rays, hits, shaded);
-  if (scene.light.casts_shadows) cast_shadows(scene, hits, sunlit, shadow_rays);
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (hits[i]) {
-      shaded[i].clear *= sky_light(scene, *hits[i]) + sunlit[i] * scene.light.sun;
-      add_air(scene, rays[i], *hits[i], shaded[i]);
+                             const RayHits& hits, ShadowCounts& counts) {
+  std::vector<ShadedRay> shaded(rays.size());
+  std::vector<float> sunlit = face_sun(scene, pixel, rays, hits.ground, shaded);
+  objects_face_sun(scene, rays, hits, shaded, sunlit);
+  if (scene.light.casts_shadows) cast_shadows(scene, hits, sunlit, counts);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (const auto& hit = hits.ground[i]) {
+      shaded[i].clear *= sky_light(scene, hit->grid, hit->uv) + sunlit[i] * scene.light.sun;
+      add_air(scene, rays[i], hit->position_m, shaded[i]);
+    } else if (hits.meets_object(i)) {
+      const glm::dvec3& position_m = hits.objects[i]->surface.position_m;
+      shaded[i].clear *=
+          light_on_object(scene, position_m, shaded[i].normal) + sunlit[i] * scene.light.sun;
+      add_air(scene, rays[i], position_m, shaded[i]);
     } else {
       shaded[i].clear = background_color(scene, glm::normalize(rays[i].direction));
       shaded[i].color = shaded[i].clear;

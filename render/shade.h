@@ -10,7 +10,9 @@
 #include <glm/vec3.hpp>
 
 #include "render/camera.h"
+#include "render/meet.h"
 #include "render/scene.h"
+#include "render/shadows.h"
 
 namespace terrview {
 
@@ -34,11 +36,10 @@ struct PixelWidth {
 };
 [[nodiscard]] PixelWidth pixel_width(const Camera& camera);
 
-// The colours of the rays of a block, whose hits are given, all its shadow rays together. Adds the
-// shadow rays to `shadow_rays`.
+// The colours of the rays of a block, whose hits are given, all its shadow rays together. Adds to
+// `counts`.
 [[nodiscard]] std::vector<ShadedRay> shade(const Scene& scene, const PixelWidth& pixel,
-                                           std::span<const Ray> rays,
-                                           std::span<const std::optional<Hit>> hits,
-                                           std::int64_t& shadow_rays);
+                                           std::span<const Ray> rays, const RayHits& hits,
+                                           ShadowCounts& counts);
 
 }  // namespace terrview

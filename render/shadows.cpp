@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kStrips = 4;
 constexpr int kHalvings = 5;
+constexpr int kObjectRays = 8;  // a strip
 
 // Directions of the sun's disc.
 class SunDisc {
@@ -43,29 +44,53 @@ class SunDisc {
   glm::dvec3 up_;
 };
 
-// Rays from points of the ground towards parts of the sun, all sent at once.
+// Rays from points towards parts of the sun, all sent at once.
 class SunRays {
  public:
-  SunRays(const Terrain& terrain, std::span<const Hit> points)
-      : terrain_(terrain), points_(points) {}
+  SunRays(const ShadowCasters& casters, std::span<const Hit> points, ShadowCounts& counts)
+      : casters_(casters), points_(points), counts_(counts) {}
 
   void add(std::size_t point, const glm::dvec3& true_direction) {
-    const Hit& hit = points_[point];
-    rays_.push_back(
-        terrain_.leave(hit, direction_at(terrain_.frame(), hit.position_m, true_direction)));
+    rays_.push_back(ray(point, true_direction));
   }
 
-  // The answers in the order of add(), after which none is left.
-  std::vector<std::uint8_t> send(std::int64_t& shadow_rays) {
-    shadow_rays += static_cast<std::int64_t>(rays_.size());
-    std::vector<std::uint8_t> answers = stopped(terrain_, rays_);
+  // Whether the ground stops them, in the order of add(), after which none is left.
+  std::vector<std::uint8_t> send() {
+    counts_.rays += static_cast<std::int64_t>(rays_.size());
+    std::vector<std::uint8_t> answers = stopped(casters_.terrain, rays_);
     rays_.clear();
     return answers;
   }
 
+  // Whether an object stops the ray.
+  [[nodiscard]] bool meets_object(std::size_t point, const glm::dvec3& true_direction) const {
+    return casters_.objects &&
+           casters_.objects->stops(ray(point, true_direction), &counts_.objects);
+  }
+
+  // The share of a strip above `height` that objects leave free.
+  [[nodiscard]] float free_share(std::size_t point, const SunDisc& disc, int strip,
+                                 double height) const {
+    if (!casters_.objects) return 1;
+    int free = 0;
+    for (int i = 0; i < kObjectRays; ++i) {
+      const double at = height + (1 - height) * (i + 0.5) / kObjectRays;
+      free += meets_object(point, disc.direction(strip, at)) ? 0 : 1;
+    }
+    counts_.rays += kObjectRays;
+    return static_cast<float>(free) / kObjectRays;
+  }
+
  private:
-  const Terrain& terrain_;
+  [[nodiscard]] Ray ray(std::size_t point, const glm::dvec3& true_direction) const {
+    const Hit& hit = points_[point];
+    return casters_.terrain.leave(
+        hit, direction_at(casters_.terrain.frame(), hit.position_m, true_direction));
+  }
+
+  const ShadowCasters& casters_;
   std::span<const Hit> points_;
+  ShadowCounts& counts_;
   std::vector<Ray> rays_;
 };
 
@@ -79,20 +104,19 @@ struct Horizon {
 // The points whose horizon crosses the strip; adds `weight` to the shares of those that see all of
 // it.
 std::vector<Horizon> crossing_horizons(const SunDisc& disc, int strip, SunRays& rays,
-                                       std::span<float> shares, float weight,
-                                       std::int64_t& shadow_rays) {
+                                       std::span<float> shares, float weight) {
   for (std::size_t i = 0; i < shares.size(); ++i) rays.add(i, disc.direction(strip, -1));
-  const std::vector<std::uint8_t> foot_hidden = rays.send(shadow_rays);
+  const std::vector<std::uint8_t> foot_hidden = rays.send();
   std::vector<std::size_t> partly;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     if (foot_hidden[i]) {
       partly.push_back(i);
       rays.add(i, disc.direction(strip, 1));
     } else {
-      shares[i] += weight;
+      shares[i] += weight * rays.free_share(i, disc, strip, -1);
     }
   }
-  const std::vector<std::uint8_t> top_hidden = rays.send(shadow_rays);
+  const std::vector<std::uint8_t> top_hidden = rays.send();
   std::vector<Horizon> horizons;
   for (std::size_t i = 0; i < partly.size(); ++i) {
     if (!top_hidden[i]) horizons.push_back({partly[i], -1, 1});
@@ -100,20 +124,22 @@ std::vector<Horizon> crossing_horizons(const SunDisc& disc, int strip, SunRays& 
   return horizons;
 }
 
-void add_strip(const SunDisc& disc, int strip, SunRays& rays, std::span<float> shares, float weight,
-               std::int64_t& shadow_rays) {
-  std::vector<Horizon> horizons = crossing_horizons(disc, strip, rays, shares, weight, shadow_rays);
+void add_strip(const SunDisc& disc, int strip, SunRays& rays, std::span<float> shares,
+               float weight) {
+  std::vector<Horizon> horizons = crossing_horizons(disc, strip, rays, shares, weight);
   for (int halving = 0; halving < kHalvings; ++halving) {
     for (const Horizon& horizon : horizons)
       rays.add(horizon.point, disc.direction(strip, (horizon.hidden + horizon.free) / 2));
-    const std::vector<std::uint8_t> hidden = rays.send(shadow_rays);
+    const std::vector<std::uint8_t> hidden = rays.send();
     for (std::size_t i = 0; i < horizons.size(); ++i)
       (hidden[i] ? horizons[i].hidden : horizons[i].free) =
           (horizons[i].hidden + horizons[i].free) / 2;
   }
-  for (const Horizon& horizon : horizons)
-    shares[horizon.point] +=
-        weight * static_cast<float>((1 - (horizon.hidden + horizon.free) / 2) / 2);
+  for (const Horizon& horizon : horizons) {
+    const double height = (horizon.hidden + horizon.free) / 2;
+    shares[horizon.point] += weight * static_cast<float>((1 - height) / 2) *
+                             rays.free_share(horizon.point, disc, strip, height);
+  }
 }
 
 }  // namespace
@@ -125,21 +151,21 @@ std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> r
   return stops;
 }
 
-std::vector<float> sun_shares(const Terrain& terrain, const Light& light,
-                              std::span<const Hit> points, std::int64_t& shadow_rays) {
+std::vector<float> sun_shares(const ShadowCasters& casters, const Light& light,
+                              std::span<const Hit> points, ShadowCounts& counts) {
   std::vector<float> shares(points.size(), 0);
-  SunRays rays(terrain, points);
+  SunRays rays(casters, points, counts);
   if (light.sun_radius_rad > 0) {
     const SunDisc disc(light);
     double area = 0;
     for (int strip = 0; strip < kStrips; ++strip) area += SunDisc::half_height(strip);
     for (int strip = 0; strip < kStrips; ++strip)
-      add_strip(disc, strip, rays, shares, static_cast<float>(SunDisc::half_height(strip) / area),
-                shadow_rays);
+      add_strip(disc, strip, rays, shares, static_cast<float>(SunDisc::half_height(strip) / area));
   } else {
     for (std::size_t i = 0; i < points.size(); ++i) rays.add(i, light.towards_sun);
-    const std::vector<std::uint8_t> hidden = rays.send(shadow_rays);
-    for (std::size_t i = 0; i < points.size(); ++i) shares[i] = hidden[i] ? 0.0F : 1.0F;
+    const std::vector<std::uint8_t> hidden = rays.send();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      shares[i] = hidden[i] || rays.meets_object(i, light.towards_sun) ? 0.0F : 1.0F;
   }
   return shares;
 }

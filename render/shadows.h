@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "render/objects/object_set.h"
 #include "render/scene.h"
 
 namespace terrview {
@@ -12,14 +13,28 @@ namespace terrview {
 // Half of the sun's apparent width, 0.533 degrees.
 inline constexpr double kSunRadius_rad = 0.00465;
 
+// What throws shadows.
+struct ShadowCasters {
+  const Terrain& terrain;
+  const ObjectSet* objects = nullptr;  // none: the ground alone
+};
+
+struct ShadowCounts {
+  std::int64_t rays = 0;
+  ObjectCounts objects;
+};
+
 // Per ray, whether the ground stops it: 0 or 1.
 [[nodiscard]] std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> rays);
 
-// The share of the sun that each point of the ground sees past the rest of the ground: 0 or 1 for a
-// sun without width. For a disc, the height of the horizon is found in each of four upright strips
-// of it by halving, since all below a hidden point is hidden: the share is within 0.03 of that of
-// every point of the disc (tests/render/shadows_test.cpp). Adds the rays to `shadow_rays`.
-[[nodiscard]] std::vector<float> sun_shares(const Terrain& terrain, const Light& light,
-                                            std::span<const Hit> points, std::int64_t& shadow_rays);
+// The share of the sun that each point sees past the ground and the objects: 0 or 1 for a sun
+// without width. For a disc, the height of the horizon is found in each of four upright strips of
+// it by halving, since all below a point hidden by the ground is hidden: the share is within 0.03
+// of that of every point of the disc (tests/render/shadows_test.cpp). Objects may hide any part of
+// the strip above: eight rays tell how much. Adds to `counts`.
+//
+// Of the points, only where they are matters: they may be those of objects, lifted off them.
+[[nodiscard]] std::vector<float> sun_shares(const ShadowCasters& casters, const Light& light,
+                                            std::span<const Hit> points, ShadowCounts& counts);
 
 }  // namespace terrview

@@ -22,6 +22,12 @@ struct ObjectHit {
 struct ObjectCounts {
   std::int64_t tests = 0;  // objects compared with the ray
   std::int64_t steps = 0;  // moves through whatever structure leads to them
+
+  ObjectCounts& operator+=(const ObjectCounts& other) {
+    tests += other.tests;
+    steps += other.steps;
+    return *this;
+  }
 };
 
 // Immutable, so threads may share one.

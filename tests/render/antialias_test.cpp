@@ -55,8 +55,8 @@ glm::vec3 mean_of_rays(const Scene& scene, const Camera& camera, glm::ivec2 pixe
   for (int i = 0; i < samples; ++i) {
     const Ray ray = camera.ray(glm::dvec2(pixel) + sample_offset(i));
     const std::optional<Hit> hit = scene.terrain->first_hit(ray);
-    std::int64_t shadow_rays = 0;
-    sum += shade(scene, pixel_width(camera), {&ray, 1}, {&hit, 1}, shadow_rays).front().color;
+    ShadowCounts shadows;
+    sum += shade(scene, pixel_width(camera), {&ray, 1}, {{hit}}, shadows).front().color;
   }
   return sum / static_cast<float>(samples);
 }

@@ -81,8 +81,8 @@ TEST(SunShares, BehindALevelBrinkAreThoseOfADiscCutByALine) {
   for (double x = 530; x < 610; x += 1.7) ground_m.emplace_back(x, 3.1);
   const std::vector<Hit> points = points_below(terrain, ground_m);
   ASSERT_EQ(points.size(), ground_m.size());
-  std::int64_t rays = 0;
-  const std::vector<float> shares = sun_shares(terrain, light, points, rays);
+  ShadowCounts counts;
+  const std::vector<float> shares = sun_shares({terrain}, light, points, counts);
   int partly = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double horizon_rad = std::atan2(100, points[i].position_m.x);
@@ -107,8 +107,8 @@ TEST(SunShares, OverRoughGroundAreThoseOfEveryPointOfTheDisc) {
   for (int i = 0; i < 1500; ++i)
     ground_m.emplace_back(std::fmod(i * 37.7, 2400) - 1200, std::fmod(i * 91.3, 3000) - 1500);
   const std::vector<Hit> points = points_below(terrain, ground_m);
-  std::int64_t rays = 0;
-  const std::vector<float> shares = sun_shares(terrain, light, points, rays);
+  ShadowCounts counts;
+  const std::vector<float> shares = sun_shares({terrain}, light, points, counts);
   int partly = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_partly = shares[i] > 0.02F && shares[i] < 0.98F;
@@ -117,7 +117,7 @@ TEST(SunShares, OverRoughGroundAreThoseOfEveryPointOfTheDisc) {
     EXPECT_NEAR(shares[i], share_of_every_point(terrain, light, points[i]), kTolerance);
   }
   EXPECT_GT(partly, 5);
-  EXPECT_LT(rays, 12 * static_cast<std::int64_t>(points.size()));
+  EXPECT_LT(counts.rays, 12 * static_cast<std::int64_t>(points.size()));
 }
 
 TEST(SunShares, OfASunWithoutWidthAreAllOrNothingForOneRayEach) {
@@ -130,9 +130,9 @@ TEST(SunShares, OfASunWithoutWidthAreAllOrNothingForOneRayEach) {
   std::vector<glm::dvec2> ground_m;
   for (double x = -60; x < 500; x += 7) ground_m.emplace_back(x, 1.5);
   const std::vector<Hit> points = points_below(terrain, ground_m);
-  std::int64_t rays = 0;
-  const std::vector<float> shares = sun_shares(terrain, light, points, rays);
-  EXPECT_EQ(rays, static_cast<std::int64_t>(points.size()));
+  ShadowCounts counts;
+  const std::vector<float> shares = sun_shares({terrain}, light, points, counts);
+  EXPECT_EQ(counts.rays, static_cast<std::int64_t>(points.size()));
   float sum = 0;
   for (const float share : shares) {
     EXPECT_TRUE(share == 0 || share == 1);

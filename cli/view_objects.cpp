@@ -1,0 +1,126 @@
+#include "cli/view_objects.h"
+
+#include "cli/add_option.h"
+#include "ingest/feature_attributes.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+const std::map<std::string, BuildingBase>& bases() {
+  static const std::map<std::string, BuildingBase> names{
+      {"min", BuildingBase::lowest}, {"mean", BuildingBase::mean}, {"max", BuildingBase::highest}};
+  return names;
+}
+
+std::string counted(int count, const std::string& what) {
+  return count > 0 ? ", " + std::to_string(count) + " " + what : "";
+}
+
+std::string summary(const VectorFile& file, const PlacedCounts& counts, const std::string& what) {
+  return file.name + ": " + std::to_string(counts.features) + " features, " +
+         std::to_string(counts.placed) + " " + what + " (" +
+         std::to_string(counts.placed - counts.default_height) + " with a height, " +
+         std::to_string(counts.default_height) + " without)" +
+         counted(counts.without_ground, "beside the ground");
+}
+
+void add_warnings(const VectorFile& file, ViewObjects& objects) {
+  for (const std::string& warning : file.warnings)
+    objects.messages.push_back("warning: " + warning);
+}
+
+void check_any(const VectorFile& file, const PlacedCounts& counts) {
+  if (counts.placed == 0 && counts.without_ground > 0)
+    throw InputError("'" + file.name +
+                     "': none of its features lies on the ground of the DEM: check its coordinate "
+                     "system, or leave it out");
+}
+
+void read_buildings(const ObjectOptions& options, const ViewFrame& frame, ViewObjects& objects) {
+  const FootprintFile file = read_footprints(options.buildings, options.reading);
+  const PlacedCounts counts = place_buildings(file, frame, options.placing, objects.placed);
+  check_any(file.file, counts);
+  objects.messages.push_back(summary(file.file, counts, "buildings") +
+                             counted(counts.without_area, "without an area") +
+                             counted(file.unread_heights, "with a height that is no number") +
+                             counted(file.unknown_roofs, "with an unknown roof, made flat"));
+  add_warnings(file.file, objects);
+}
+
+void read_trees(const ObjectOptions& options, const ViewFrame& frame, ViewObjects& objects) {
+  const TreeFile file = terrview::read_trees(options.trees);
+  const PlacedCounts counts = place_trees(file, frame, objects.placed);
+  check_any(file.file, counts);
+  objects.messages.push_back(summary(file.file, counts, "trees") +
+                             counted(counts.without_area, "that are no points"));
+  add_warnings(file.file, objects);
+}
+
+// height, a colour, or the name of a field.
+void parse_building_color(const std::string& text, ObjectOptions& options) {
+  options.building_color = text;
+  if (text == "height")
+    options.placing.color_by_height = true;
+  else if (const auto color = color_of(text))
+    options.placing.color = color;
+  else
+    options.reading.color_field = text;
+}
+
+}  // namespace
+
+void add_object_options(CLI::App& app, ObjectOptions& options) {
+  app.add_option("--buildings", options.buildings,
+                 "Footprints to raise on the ground: GeoJSON or whatever OGR opens")
+      ->type_name("FILE");
+  app.add_option("--height", options.reading.height_field,
+                 "The field of the buildings' heights, metres (default: height_m, height, "
+                 "building:height, or 3 m a level)")
+      ->type_name("FIELD");
+  add_parsed(
+      app, "--default-height",
+      [&](const std::string& text) {
+        options.placing.default_height_m = parse_number("--default-height", text);
+      },
+      "Metres, of buildings without a height (default 6)")
+      ->type_name("M");
+  add_choice<BuildingBase>(app, "--base", options.placing.base, bases(),
+                           "The ground under a building that its height is counted from "
+                           "(default min)");
+  add_parsed(
+      app, "--building-color",
+      [&](const std::string& text) { parse_building_color(text, options); },
+      "R,G,B of all buildings, a field that holds colours, or height")
+      ->type_name("COLOR|FIELD|height");
+  app.add_option("--trees", options.trees, "Points to grow trees on")->type_name("FILE");
+  app.add_option("--objects-csv", options.csv,
+                 "How much of each building and tree is seen: pixels, solid angle, share")
+      ->type_name("FILE");
+}
+
+void check_objects(const ObjectOptions& options) {
+  const double height_m = options.placing.default_height_m;
+  if (!(height_m > 0 && height_m <= 2000))
+    throw InputError("--default-height: give metres above 0, up to 2000");
+  if (options.buildings.empty() &&
+      (!options.reading.height_field.empty() || !options.building_color.empty()))
+    throw InputError("--height, --building-color: belong to buildings: give --buildings too");
+  if (!options.csv.empty() && options.buildings.empty() && options.trees.empty())
+    throw InputError("--objects-csv: there are no objects: give --buildings or --trees");
+}
+
+const char* name_of(BuildingBase base) {
+  for (const auto& [name, value] : bases())
+    if (value == base) return name.c_str();
+  return "";
+}
+
+ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame) {
+  ViewObjects objects;
+  if (!options.buildings.empty()) read_buildings(options, frame, objects);
+  if (!options.trees.empty()) read_trees(options, frame, objects);
+  return objects;
+}
+
+}  // namespace terrview

@@ -1,0 +1,28 @@
+// What stands on the ground of a view.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/view_options.h"
+#include "ingest/buildings.h"
+#include "ingest/view_frame.h"
+
+namespace terrview {
+
+void add_object_options(CLI::App& app, ObjectOptions& options);
+
+// Throws InputError for options that need others.
+void check_objects(const ObjectOptions& options);
+
+[[nodiscard]] const char* name_of(BuildingBase base);
+
+struct ViewObjects {
+  PlacedObjects placed;
+  std::vector<std::string> messages;  // what became of the files' features, a line each
+};
+
+// Throws InputError.
+[[nodiscard]] ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame);
+
+}  // namespace terrview

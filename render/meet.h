@@ -1,0 +1,27 @@
+// What rays meet: the ground, or an object before it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/objects/object_set.h"
+#include "render/scene.h"
+#include "terrain/ray.h"
+
+namespace terrview {
+
+struct RayHits {
+  std::vector<std::optional<Hit>> ground;
+  // Empty in a scene without objects. Where an object is met, the ground is not.
+  std::vector<std::optional<ObjectHit>> objects = {};
+
+  [[nodiscard]] bool meets_object(std::size_t i) const { return !objects.empty() && objects[i]; }
+};
+
+// Puts the scene's objects before the hits of the ground: of the two the nearer remains. Adds to
+// `counts`.
+void meet_objects(const Scene& scene, std::span<const Ray> rays, RayHits& hits,
+                  ObjectCounts& counts);
+
+}  // namespace terrview
