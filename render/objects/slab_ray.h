@@ -43,6 +43,11 @@ class SlabRay {
     return (at_m - origin_m_[axis]) * pace_[axis];
   }
 
+  // The coordinate at a distance.
+  [[nodiscard]] double at_m(int axis, double distance_m) const {
+    return origin_m_[axis] + distance_m / pace_[axis];
+  }
+
   [[nodiscard]] bool backward(int axis) const { return backward_[axis]; }
   [[nodiscard]] double length_m() const { return length_m_; }
 
