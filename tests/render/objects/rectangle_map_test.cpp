@@ -77,6 +77,12 @@ void compare_with_every_object(std::uint64_t seed, int scenes, int rays) {
 
 TEST(RectangleMap, FindsWhatTestingEveryObjectFinds) { compare_with_every_object(1, 250, 200); }
 
+TEST(RectangleMap, FindsItAmongThousands) {
+  RandomObjects random(9);
+  const RectangleMap map(random.scattered(3000, 2));
+  for (int i = 0; i < 500; ++i) ASSERT_EQ(fault(map, random.ray()), "");
+}
+
 TEST(RectangleMapLong, FindsWhatTestingEveryObjectFinds) {
   compare_with_every_object(1000000, 5000, 1000);
 }
