@@ -1,16 +1,15 @@
 #include "render/objects/rectangle_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
 
 #include <glm/common.hpp>
 
+#include "render/objects/rectangle_course.h"
 #include "render/objects/rectangle_ranks.h"
 
 namespace terrview {
@@ -35,8 +34,7 @@ std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
   return spread(x) | spread(y) << 1;
 }
 
-std::vector<int> neighbours_together(const std::vector<Box>& boxes, const Box& bounds,
-                                     const std::array<int, 2>& axes) {
+std::vector<int> neighbours_together(const std::vector<Box>& boxes, const Box& bounds) {
   std::vector<std::pair<std::uint64_t, int>> places;
   for (const Box& box : boxes) {
     const auto place = [&](int axis) {
@@ -46,8 +44,7 @@ std::vector<int> neighbours_together(const std::vector<Box>& boxes, const Box& b
       constexpr double kMost = 4294967295.0;
       return share > 0 ? static_cast<std::uint32_t>(std::min(share, 1.0) * kMost) : 0U;
     };
-    places.emplace_back(interleaved(place(axes[0]), place(axes[1])),
-                        static_cast<int>(places.size()));
+    places.emplace_back(interleaved(place(0), place(1)), static_cast<int>(places.size()));
   }
   std::sort(places.begin(), places.end());
   std::vector<int> order;
@@ -55,27 +52,35 @@ std::vector<int> neighbours_together(const std::vector<Box>& boxes, const Box& b
   return order;
 }
 
+std::vector<Range> ranges(const std::vector<Box>& boxes, int axis) {
+  std::vector<Range> ranges;
+  ranges.reserve(boxes.size());
+  for (const Box& box : boxes)
+    ranges.push_back(range_around(box.lowest_m[axis], box.highest_m[axis]));
+  return ranges;
+}
+
 }  // namespace
 
-RectangleMap::RectangleMap(Objects objects, int along)
+RectangleMap::RectangleMap(Objects objects)
     : ObjectSet(std::move(objects)), order_(this->objects().size()) {
   assert(!this->objects().empty());
   std::iota(order_.begin(), order_.end(), 0);
+  boxes_.reserve(order_.size());
   for (const auto& object : this->objects()) boxes_.push_back(object->bounds());
   bounds_ = around(boxes_);
-  const std::array<int, 2> axes{along == 0 ? 1 : 0, along == 2 ? 1 : 2};
-  if (build(axes)) return;
-  order_ = neighbours_together(boxes_, bounds_, axes);
+  if (build()) return;
+  order_ = neighbours_together(boxes_, bounds_);
   std::vector<Box> sorted;
   for (const int i : order_) sorted.push_back(boxes_[static_cast<std::size_t>(i)]);
   boxes_ = std::move(sorted);
   do {
     group_size_ *= 2;
-  } while (!build(axes));
+  } while (!build());
 }
 
 // Whether that could be done within a multiple of the objects.
-bool RectangleMap::build(const std::array<int, 2>& axes) {
+bool RectangleMap::build() {
   group_boxes_.clear();
   if (group_size_ > 1) {
     const std::span<const Box> boxes(boxes_);
@@ -83,52 +88,60 @@ bool RectangleMap::build(const std::array<int, 2>& axes) {
       group_boxes_.push_back(around(boxes.subspan(i, std::min(group_size_, boxes.size() - i))));
   }
   const auto& boxes = group_size_ > 1 ? group_boxes_ : boxes_;
-  RankedAxis x = rank_axis(boxes, axes[0]);
-  RankedAxis y = rank_axis(boxes, axes[1]);
+  const RankedAxis x = rank_axis(ranges(boxes, 0));
+  const RankedAxis y = rank_axis(ranges(boxes, 1));
   constexpr std::size_t kMost = 32;
   auto partition = cut_plane(x, y, kMost * (boxes_.size() + kMost));
   if (!partition) return false;
-  std::array<Lines, 2> lines{std::move(x.lines), std::move(y.lines)};
-  Tiles tiles = link(partition->rectangles);
-  RectangleIndex index(tiles.tiles, lines);
   lists_ = std::move(partition->lists);
-  plane_ = {axes, std::move(lines), std::move(tiles), std::move(index)};
+  tiles_ = link(partition->rectangles, x.lines, y.lines);
+  cells_.emplace(boxes, bounds_, tiles_.tiles);
   return true;
 }
 
-// Calls visit(object, leave_m) for the objects whose bounds the ray pierces before leave_m, in the
+// Calls visit(object, leave_m) for the objects whose bounds the ray enters before leave_m, in the
 // order of the map, until it returns true. It may shorten leave_m to a hit.
 template <class Visit>
 void RectangleMap::walk(const Ray& ray, ObjectCounts* counts, const Visit& visit) const {
   const SlabRay slabs(ray);
-  const auto stretch = slabs.within(bounds_);
-  if (!stretch) return;
-  double leave_m = stretch->leave_m;
-  double entered_m = -std::numeric_limits<double>::infinity();
-  const Course course(*plane_, slabs);
+  const auto whole = slabs.within(bounds_);
+  if (!whole) return;
+  double leave_m = whole->leave_m;
   std::int64_t steps = 0;
-  for (int at = course.tile_at(stretch->enter_m, steps); at != Course::kEdge; ++steps) {
-    const Tile& tile = course.tile(at);
-    if (tile.list != Rectangle::kEmpty && meet(slabs, tile.list, entered_m, leave_m, visit)) break;
-    const Course::Exit exit = course.exit(tile);
-    entered_m = exit.passing.at_m;
-    if (entered_m > leave_m) break;
-    at = course.beyond(tile, exit.side, exit.passing);
+  const Course course(tiles_, slabs);
+  CellWalk cells(*cells_, slabs, whole->enter_m);
+  int at = Tile::kEdge;
+  double walked_m = 0;
+  bool done = false;
+  while (!done) {
+    const auto stretch = cells.next(leave_m);
+    if (!stretch) break;
+    if (at == Tile::kEdge || stretch->enter_m > walked_m)
+      at = course.tile_at(stretch->enter_m, cells.tile(), steps);
+    walked_m = stretch->leave_m;
+    for (Stretch here = *stretch;; here.enter_m = here.leave_m, ++steps) {
+      const Tile& tile = course.tile(at);
+      const Course::Exit exit = course.exit(tile);
+      here.leave_m = std::min(exit.passing.at_m, walked_m);
+      done = tile.list != Rectangle::kEmpty && meet(slabs, tile.list, here, leave_m, visit);
+      if (done || exit.passing.at_m > std::min(walked_m, leave_m)) break;
+      at = course.beyond(tile, exit.side, exit.passing);
+      done = at == Tile::kEdge;
+      if (done) break;
+    }
   }
   if (counts != nullptr) counts->steps += steps;
 }
 
+// Visits those of a list that the ray enters here; the others are met elsewhere.
 template <class Visit>
-bool RectangleMap::meet(const SlabRay& slabs, int list, double entered_m, double& leave_m,
+bool RectangleMap::meet(const SlabRay& slabs, int list, const Stretch& here, double& leave_m,
                         const Visit& visit) const {
   const auto& boxes = group_size_ > 1 ? group_boxes_ : boxes_;
   for (const int group : lists_[list]) {
     const auto i = static_cast<std::size_t>(group);
-    const double near_m = std::max(
-        std::max(-std::numeric_limits<double>::infinity(), slabs.near_m(plane_->axes[0], boxes[i])),
-        slabs.near_m(plane_->axes[1], boxes[i]));
-    if (near_m < entered_m) continue;  // met where it was entered
-    if (!slabs.within(boxes[i], 0, leave_m)) continue;
+    const auto stretch = slabs.within(boxes[i], 0, leave_m);
+    if (!stretch || stretch->enter_m < here.enter_m || stretch->enter_m > here.leave_m) continue;
     const std::size_t end = std::min(boxes_.size(), (i + 1) * group_size_);
     for (std::size_t member = i * group_size_; member < end; ++member) {
       if (group_size_ > 1 && !slabs.within(boxes_[member], 0, leave_m)) continue;
@@ -169,15 +182,13 @@ bool RectangleMap::stops(const Ray& ray, ObjectCounts* counts) const {
 }
 
 std::size_t RectangleMap::empty_rectangles() const {
-  return static_cast<std::size_t>(
-      std::ranges::count(plane_->tiles.tiles, Rectangle::kEmpty, &Tile::list));
+  return static_cast<std::size_t>(std::ranges::count(tiles_.tiles, Rectangle::kEmpty, &Tile::list));
 }
 
 std::size_t RectangleMap::bytes() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return of(order_) + of(boxes_) + of(group_boxes_) + lists_.bytes() + plane_->lines[0].bytes() +
-         plane_->lines[1].bytes() + of(plane_->tiles.tiles) + of(plane_->tiles.neighbours) +
-         plane_->index.bytes();
+  return of(order_) + of(boxes_) + of(group_boxes_) + lists_.bytes() + of(tiles_.tiles) +
+         of(tiles_.neighbours) + cells_->bytes();
 }
 
 }  // namespace terrview

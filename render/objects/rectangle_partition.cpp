@@ -59,10 +59,10 @@ class Sweep {
   Open& open(int row) { return open_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] int top(int row) const { return rows_.next(row + 1); }
   [[nodiscard]] double width_m(int from, int to) const {
-    return x_.border_m(to) - x_.border_m(from);
+    return static_cast<double>(x_.border_m(to)) - static_cast<double>(x_.border_m(from));
   }
   [[nodiscard]] double height_m(int from, int to) const {
-    return y_.border_m(to) - y_.border_m(from);
+    return static_cast<double>(y_.border_m(to)) - static_cast<double>(y_.border_m(from));
   }
 
   void close(int row, int x) {

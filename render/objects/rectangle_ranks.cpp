@@ -1,14 +1,16 @@
 #include "render/objects/rectangle_ranks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace terrview {
 namespace {
 
-// A side of a box: 2 * box, or 2 * box + 1 for the higher one.
+// An end of a range: 2 * range, or 2 * range + 1 for the higher one.
 struct Side {
-  double at_m;
+  float at_m;
   int id;
 };
 
@@ -17,12 +19,11 @@ bool before(const Side& a, const Side& b) { return a.at_m < b.at_m; }
 // Shares out the sides to buckets along the axis, and sorts each.
 std::vector<Side> sorted(const std::vector<Side>& sides) {
   const auto [first, last] = std::minmax_element(sides.begin(), sides.end(), before);
-  const double low_m = first->at_m;
+  const auto low_m = static_cast<double>(first->at_m);
   const std::size_t buckets = sides.size();
-  // Halved, so that no two finite coordinates are infinitely far apart.
-  const double width = last->at_m / 2 - low_m / 2;
+  const double width_m = static_cast<double>(last->at_m) - low_m;
   const auto bucket_of = [&](const Side& side) {
-    const double share = width > 0 ? (side.at_m / 2 - low_m / 2) / width : 0;
+    const double share = width_m > 0 ? (static_cast<double>(side.at_m) - low_m) / width_m : 0;
     return static_cast<std::size_t>(share * static_cast<double>(buckets - 1));
   };
   std::vector<std::size_t> ends(buckets + 1);
@@ -37,24 +38,32 @@ std::vector<Side> sorted(const std::vector<Side>& sides) {
   return result;
 }
 
-std::vector<Side> sides_of(const std::vector<Box>& boxes, int axis) {
+std::vector<Side> sides_of(const std::vector<Range>& ranges) {
   std::vector<Side> sides;
-  sides.reserve(2 * boxes.size());
-  for (const Box& box : boxes) {
+  sides.reserve(2 * ranges.size());
+  for (const Range& range : ranges) {
     // Adding 0 makes one of the two zeros.
-    sides.push_back({box.lowest_m[axis] + 0.0, static_cast<int>(sides.size())});
-    sides.push_back({box.highest_m[axis] + 0.0, static_cast<int>(sides.size())});
+    sides.push_back({range.low_m + 0.0F, static_cast<int>(sides.size())});
+    sides.push_back({range.high_m + 0.0F, static_cast<int>(sides.size())});
   }
   return sides;
 }
 
+// The next float toward `toward` where rounding went the other way.
+float rounded(double at_m, float toward) {
+  const auto nearest_m = static_cast<float>(at_m);
+  const bool is_beyond =
+      toward < 0 ? static_cast<double>(nearest_m) <= at_m : static_cast<double>(nearest_m) >= at_m;
+  return is_beyond ? nearest_m : std::nextafter(nearest_m, toward);
+}
+
 }  // namespace
 
-RankedAxis rank_axis(const std::vector<Box>& boxes, int axis) {
-  std::vector<double> lines_m;
-  lines_m.reserve(2 * boxes.size());
-  std::vector<Interval> intervals(boxes.size());
-  for (const Side& side : sorted(sides_of(boxes, axis))) {
+RankedAxis rank_axis(const std::vector<Range>& ranges) {
+  std::vector<float> lines_m;
+  lines_m.reserve(2 * ranges.size());
+  std::vector<Interval> intervals(ranges.size());
+  for (const Side& side : sorted(sides_of(ranges))) {
     if (lines_m.empty() || lines_m.back() != side.at_m) lines_m.push_back(side.at_m);
     const int line = static_cast<int>(lines_m.size()) - 1;
     Interval& interval = intervals[static_cast<std::size_t>(side.id) / 2];
@@ -65,6 +74,11 @@ RankedAxis rank_axis(const std::vector<Box>& boxes, int axis) {
     }
   }
   return {Lines(std::move(lines_m)), std::move(intervals)};
+}
+
+Range range_around(double low_m, double high_m) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return {rounded(low_m, -kInfinity), rounded(high_m, kInfinity)};
 }
 
 }  // namespace terrview

@@ -1,105 +1,146 @@
 #include "render/objects/rectangle_tiles.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace terrview {
 namespace {
 
+constexpr int kNone = -1;
+constexpr unsigned kTileBits = 0x7FFFFFFF;
+
+// Those rectangles that have one side at each border, as chains.
+class Chains {
+ public:
+  Chains(int borders, std::size_t rectangles)
+      : first_(static_cast<std::size_t>(borders), kNone), next_(rectangles) {}
+
+  void prepend(int border, int rectangle) {
+    int& first = first_[static_cast<std::size_t>(border)];
+    next_[static_cast<std::size_t>(rectangle)] = first;
+    first = rectangle;
+  }
+  [[nodiscard]] int first(int border) const { return first_[static_cast<std::size_t>(border)]; }
+  [[nodiscard]] int next(int rectangle) const { return next_[static_cast<std::size_t>(rectangle)]; }
+  void clear(int border) { first_[static_cast<std::size_t>(border)] = kNone; }
+
+ private:
+  std::vector<int> first_;
+  std::vector<int> next_;
+};
+
+// Finds what is on either side of the borders of one axis.
 class Linker {
  public:
-  explicit Linker(const std::vector<Rectangle>& rectangles) : tiles_(rectangles.size()) {
-    for (std::size_t i = 0; i < tiles_.size(); ++i) {
-      const Rectangle& it = rectangles[i];
-      tiles_[i] = {{it.x.low, it.x.high, it.y.low, it.y.high}, {}, {}, it.list};
-    }
-    for (auto& side : beyond_) side.reserve(tiles_.size() * 3 / 2);
-  }
+  Linker(const std::vector<Rectangle>& rectangles, std::size_t axis, const Lines& lines,
+         const Lines& along, Tiles& tiles)
+      : rectangles_(rectangles),
+        axis_(axis),
+        along_(along),
+        tiles_(tiles),
+        lower_(lines.borders(), rectangles.size()),
+        higher_(lines.borders(), rectangles.size()) {}
 
-  // Merges those that end and those that begin at each border across the axis, both in their order
-  // along it.
-  void link(int axis) {
-    const int low = 2 * axis;
-    const int high = low + 1;
-    const std::vector<int> rising = by_border({}, 2 - low);
-    const std::vector<int> ending = by_border(rising, high);
-    const std::vector<int> beginning = by_border(rising, low);
-    auto left = ending.begin();
-    auto right = beginning.begin();
-    while (left != ending.end() && right != beginning.end()) {
-      const int gap = border(*right, low) - border(*left, high);
-      if (gap != 0) {
-        ++(gap > 0 ? left : right);
-        continue;
-      }
-      const int left_end = border(*left, 3 - low);
-      const int right_end = border(*right, 3 - low);
-      const int end = std::min(left_end, right_end);
-      if (std::max(border(*left, 2 - low), border(*right, 2 - low)) < end) {
-        append(*left, high, {end, *right});
-        append(*right, low, {end, *left});
-      }
-      if (left_end == end) ++left;
-      if (right_end == end) ++right;
+  void link() {
+    const int size = static_cast<int>(rectangles_.size());
+    for (int i = size - 1; i >= 0; --i) {
+      lower_.prepend(across(i).high, i);
+      higher_.prepend(across(i).low, i);
     }
-  }
-
-  Tiles finish() {
-    Tiles result;
-    std::size_t size = 0;
-    for (const auto& side : beyond_) size += side.size();
-    result.neighbours.reserve(size);
-    for (std::size_t side = 0; side < kSides; ++side) {
-      const auto offset = static_cast<std::uint32_t>(result.neighbours.size());
-      for (Tile& tile : tiles_) tile.first[side] += offset;
-      result.neighbours.insert(result.neighbours.end(), beyond_[side].begin(), beyond_[side].end());
-    }
-    result.tiles = std::move(tiles_);
-    return result;
+    // In the order of the rectangles, which lie near each other in memory as in the plane.
+    for (int i = 0; i < size; ++i) link(across(i).high);
   }
 
  private:
-  [[nodiscard]] int border(int tile, int side) const {
-    return tiles_[static_cast<std::size_t>(tile)].border[static_cast<std::size_t>(side)];
+  struct Place {
+    Interval interval;  // along the border
+    int rectangle;
+  };
+
+  [[nodiscard]] const Rectangle& rectangle(int i) const {
+    return rectangles_[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] const Interval& across(int i) const {
+    return axis_ == 0 ? rectangle(i).x : rectangle(i).y;
   }
 
-  // All tiles by rising border; equal ones in the order of `order`, or of their own.
-  [[nodiscard]] std::vector<int> by_border(const std::vector<int>& order, int side) const {
-    const auto value = [&](int tile) { return static_cast<std::size_t>(border(tile, side)); };
-    const int size = static_cast<int>(tiles_.size());
-    std::vector<int> ends;
-    for (int i = 0; i < size; ++i) {
-      if (value(i) + 2 > ends.size()) ends.resize(value(i) + 2);
-      ++ends[value(i) + 1];
+  void collect(Chains& chains, int border, std::vector<Place>& places) const {
+    places.clear();
+    for (int i = chains.first(border); i != kNone; i = chains.next(i))
+      places.push_back({axis_ == 0 ? rectangle(i).y : rectangle(i).x, i});
+    chains.clear(border);
+    const auto is_lower = [](const Place& a, const Place& b) {
+      return a.interval.low < b.interval.low;
+    };
+    if (!std::ranges::is_sorted(places, is_lower)) std::ranges::sort(places, is_lower);
+  }
+
+  // Merges those on both sides in their order along the border.
+  void link(int border) {
+    if (lower_.first(border) == kNone) return;
+    collect(lower_, border, low_places_);
+    collect(higher_, border, high_places_);
+    auto a = low_places_.begin();
+    auto b = high_places_.begin();
+    while (a != low_places_.end() && b != high_places_.end()) {
+      const int end = std::min(a->interval.high, b->interval.high);
+      if (std::max(a->interval.low, b->interval.low) < end) {
+        low_run_.push_back(neighbour(end, b->rectangle));
+        high_run_.push_back(neighbour(end, a->rectangle));
+      }
+      if (a->interval.high == end) finish(*a++, 2 * axis_ + 1, low_run_);
+      if (b->interval.high == end) finish(*b++, 2 * axis_, high_run_);
     }
-    for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
-    std::vector<int> result(tiles_.size());
-    for (int i = 0; i < size; ++i) {
-      const int tile = order.empty() ? i : order[static_cast<std::size_t>(i)];
-      result[static_cast<std::size_t>(ends[value(tile)]++)] = tile;
+  }
+
+  [[nodiscard]] Neighbour neighbour(int end, int tile) const {
+    return {along_.border_m(end), end % 2 != 0 ? 1U : 0U, static_cast<unsigned>(tile) & kTileBits};
+  }
+
+  void finish(const Place& place, std::size_t side, std::vector<Neighbour>& run) {
+    int& beyond = tiles_.tiles[static_cast<std::size_t>(place.rectangle)].beyond[side];
+    if (run.size() == 1) {
+      beyond = static_cast<int>(run[0].tile);
+    } else if (!run.empty()) {
+      auto& all = tiles_.neighbours;
+      beyond = -2 - static_cast<int>(all.size());
+      all.push_back({0, 0, static_cast<unsigned>(run.size()) & kTileBits});
+      all.insert(all.end(), run.begin(), run.end());
     }
-    return result;
+    run.clear();
   }
 
-  void append(int tile, int side, Neighbour neighbour) {
-    const auto s = static_cast<std::size_t>(side);
-    Tile& it = tiles_[static_cast<std::size_t>(tile)];
-    if (it.count[s]++ == 0) it.first[s] = static_cast<std::uint32_t>(beyond_[s].size());
-    beyond_[s].push_back(neighbour);
-  }
-
-  std::vector<Tile> tiles_;
-  std::array<std::vector<Neighbour>, kSides> beyond_;
+  const std::vector<Rectangle>& rectangles_;
+  std::size_t axis_;
+  const Lines& along_;
+  Tiles& tiles_;
+  Chains lower_;
+  Chains higher_;
+  std::vector<Place> low_places_;
+  std::vector<Place> high_places_;
+  std::vector<Neighbour> low_run_;
+  std::vector<Neighbour> high_run_;
 };
+
+Tile unlinked(const Rectangle& it, const Lines& x, const Lines& y) {
+  const auto behind = [](int border, unsigned side) { return border % 2 != 0 ? 1U << side : 0U; };
+  return {
+      {x.border_m(it.x.low), x.border_m(it.x.high), y.border_m(it.y.low), y.border_m(it.y.high)},
+      {Tile::kEdge, Tile::kEdge, Tile::kEdge, Tile::kEdge},
+      it.list,
+      behind(it.x.low, 0) | behind(it.x.high, 1) | behind(it.y.low, 2) | behind(it.y.high, 3)};
+}
 
 }  // namespace
 
-Tiles link(const std::vector<Rectangle>& rectangles) {
-  Linker linker(rectangles);
-  linker.link(0);
-  linker.link(1);
-  return linker.finish();
+Tiles link(const std::vector<Rectangle>& rectangles, const Lines& x, const Lines& y) {
+  Tiles tiles;
+  tiles.tiles.reserve(rectangles.size());
+  for (const Rectangle& it : rectangles) tiles.tiles.push_back(unlinked(it, x, y));
+  tiles.neighbours.reserve(2 * rectangles.size());
+  Linker(rectangles, 0, x, y, tiles).link();
+  Linker(rectangles, 1, y, x, tiles).link();
+  return tiles;
 }
 
 }  // namespace terrview

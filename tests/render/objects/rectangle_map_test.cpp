@@ -66,8 +66,8 @@ void compare_with_every_object(std::uint64_t seed, int scenes, int rays) {
   for (int scene = 0; scene < scenes; ++scene) {
     RandomObjects random(seed + static_cast<std::uint64_t>(scene));
     const int size = 1 + scene % 7;
-    const RectangleMap lattice(random.on_lattice(1 + scene % 23, size), scene % 3);
-    const RectangleMap scattered(random.scattered(1 + scene % 60, 1 + scene % 30), scene % 3);
+    const RectangleMap lattice(random.on_lattice(1 + scene % 23, size));
+    const RectangleMap scattered(random.scattered(1 + scene % 60, 1 + scene % 30));
     for (int i = 0; i < rays; ++i) {
       ASSERT_EQ(fault(lattice, random.lattice_ray(size)), "") << to_string(lattice.objects());
       ASSERT_EQ(fault(scattered, random.ray()), "") << "scattered scene " << seed + scene;
@@ -90,8 +90,7 @@ TEST(RectangleMapLong, FindsWhatTestingEveryObjectFinds) {
 RC_GTEST_PROP(RectangleMapProperty, FindsWhatTestingEveryObjectFinds, ()) {
   RandomObjects random(*rc::gen::arbitrary<std::uint64_t>());
   const int size = *rc::gen::inRange(1, 6);
-  const RectangleMap map(random.on_lattice(*rc::gen::inRange(1, 12), size),
-                         *rc::gen::inRange(0, 3));
+  const RectangleMap map(random.on_lattice(*rc::gen::inRange(1, 12), size));
   for (int i = 0; i < 50; ++i) {
     const std::string message = fault(map, random.lattice_ray(size));
     RC_LOG() << to_string(map.objects());

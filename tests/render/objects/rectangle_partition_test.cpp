@@ -21,11 +21,18 @@ struct Plane {
   Partition partition;
 };
 
+std::vector<Range> ranges(const Objects& objects, int axis) {
+  std::vector<Range> ranges;
+  for (const auto& object : objects) {
+    const Box box = object->bounds();
+    ranges.push_back(range_around(box.lowest_m[axis], box.highest_m[axis]));
+  }
+  return ranges;
+}
+
 Plane plane_of(const Objects& objects) {
-  std::vector<Box> boxes;
-  for (const auto& object : objects) boxes.push_back(object->bounds());
-  RankedAxis x = rank_axis(boxes, 0);
-  RankedAxis y = rank_axis(boxes, 1);
+  RankedAxis x = rank_axis(ranges(objects, 0));
+  RankedAxis y = rank_axis(ranges(objects, 1));
   Partition partition = *cut_plane(x, y, 1000000);
   return {std::move(x), std::move(y), std::move(partition)};
 }
@@ -65,6 +72,44 @@ TEST(Partition, EachColumnAndRowIsOfOneRectangleWithTheListOfItsObjects) {
       }
 }
 
+// That those beyond a side at `border` follow each other along all of its interval.
+void expect_neighbours(const Plane& plane, const Tiles& tiles, int beyond, int border,
+                       const Interval& along, std::size_t side) {
+  const bool is_x = side < 2;
+  const Lines& lines = is_x ? plane.x.lines : plane.y.lines;
+  if (border == (side % 2 == 0 ? 0 : lines.borders() - 1)) {
+    EXPECT_EQ(beyond, Tile::kEdge);
+    return;
+  }
+  ASSERT_NE(beyond, Tile::kEdge);
+  const auto other = [&](std::size_t tile) {
+    const Rectangle& it = plane.partition.rectangles[tile];
+    const Interval& across = is_x ? it.x : it.y;
+    EXPECT_EQ(side % 2 == 0 ? across.high : across.low, border);
+    return is_x ? it.y : it.x;
+  };
+  if (beyond >= 0) {
+    const Interval it = other(static_cast<std::size_t>(beyond));
+    EXPECT_LE(it.low, along.low);
+    EXPECT_GE(it.high, along.high);
+    return;
+  }
+  const auto first = static_cast<std::size_t>(-2 - beyond);
+  const Lines& across_lines = is_x ? plane.y.lines : plane.x.lines;
+  int begin = along.low;
+  for (std::size_t i = 1; i <= tiles.neighbours[first].tile; ++i) {
+    const Neighbour& neighbour = tiles.neighbours[first + i];
+    const Interval it = other(neighbour.tile);
+    const int end = std::min(it.high, along.high);
+    EXPECT_LE(it.low, begin);
+    EXPECT_LT(begin, end);
+    EXPECT_EQ(neighbour.end_m, across_lines.border_m(end));
+    EXPECT_EQ(neighbour.is_behind, end % 2 == 0 ? 0U : 1U);
+    begin = end;
+  }
+  EXPECT_EQ(begin, along.high);
+}
+
 // Each of n boxes apart from each other needs four edges, and each edge makes one rectangle.
 TEST(Partition, BoxesApartFromEachOtherLeaveThreeEmptyRectanglesEachAtMost) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -76,32 +121,22 @@ TEST(Partition, BoxesApartFromEachOtherLeaveThreeEmptyRectanglesEachAtMost) {
 
 TEST(Partition, StopsAtTheGivenSize) {
   RandomObjects random(1);
-  std::vector<Box> boxes;
-  for (const auto& object : random.scattered(100, 50)) boxes.push_back(object->bounds());
-  EXPECT_FALSE(cut_plane(rank_axis(boxes, 0), rank_axis(boxes, 1), 100));
+  const Objects objects = random.scattered(100, 50);
+  EXPECT_FALSE(cut_plane(rank_axis(ranges(objects, 0)), rank_axis(ranges(objects, 1)), 100));
 }
 
 TEST(Tiles, KnowTheirNeighboursAndWhereThoseEnd) {
   for (const Plane& plane : planes()) {
-    const Tiles tiles = link(plane.partition.rectangles);
-    for (const Tile& tile : tiles.tiles)
-      for (std::size_t side = 0; side < kSides; ++side) {
-        const std::size_t along = 2 - side / 2 * 2;  // the lower of the sides that it ends at
-        const std::size_t opposite = side ^ 1;
-        int begin = tile.border[along];
-        for (std::uint32_t i = 0; i < tile.count[side]; ++i) {
-          const Neighbour& neighbour = tiles.neighbours[tile.first[side] + i];
-          const Tile& other = tiles.tiles[static_cast<std::size_t>(neighbour.tile)];
-          EXPECT_EQ(other.border[opposite], tile.border[side]);
-          EXPECT_LE(other.border[along], begin);
-          EXPECT_EQ(std::min(other.border[along + 1], tile.border[along + 1]), neighbour.end);
-          EXPECT_LT(begin, neighbour.end);
-          begin = neighbour.end;
-        }
-        const Lines& lines = side < 2 ? plane.x.lines : plane.y.lines;
-        const bool is_edge = tile.border[side] == (side % 2 == 0 ? 0 : lines.borders() - 1);
-        EXPECT_EQ(begin, is_edge ? tile.border[along] : tile.border[along + 1]);
-      }
+    const auto& rectangles = plane.partition.rectangles;
+    const Tiles tiles = link(rectangles, plane.x.lines, plane.y.lines);
+    ASSERT_EQ(tiles.tiles.size(), rectangles.size());
+    for (std::size_t i = 0; i < rectangles.size(); ++i) {
+      const Rectangle& it = rectangles[i];
+      expect_neighbours(plane, tiles, tiles.tiles[i].beyond[0], it.x.low, it.y, 0);
+      expect_neighbours(plane, tiles, tiles.tiles[i].beyond[1], it.x.high, it.y, 1);
+      expect_neighbours(plane, tiles, tiles.tiles[i].beyond[2], it.y.low, it.x, 2);
+      expect_neighbours(plane, tiles, tiles.tiles[i].beyond[3], it.y.high, it.x, 3);
+    }
   }
 }
 
