@@ -31,7 +31,8 @@ class Object {
  public:
   virtual ~Object() = default;
 
-  // Contains every hit of first_hit().
+  // Contains every hit of first_hit(), to the last bit: its distance is one at which slab_ray.h has
+  // the ray within the bounds.
   [[nodiscard]] virtual Box bounds() const = 0;
 
   // The nearest point of the surface at a distance in [0, ray.length_m].
