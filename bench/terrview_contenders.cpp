@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,7 +16,6 @@
 #include "render/view_front.h"
 #include "terrain/column_tracer.h"
 #include "terrain/height_ceilings.h"
-#include "terrain/height_pyramid.h"
 
 namespace terrview {
 namespace {
@@ -123,16 +123,11 @@ struct Built {
 
 Built build_pyramid(const HeightGrid& grid) {
   const auto start = std::chrono::steady_clock::now();
-  const HeightPyramid pyramid(grid);
-  const HeightCeilings ceilings(grid);
+  const HeightCeilings ceilings(grid, [](int count, const std::function<void(int index)>& work) {
+    parallel_for(count, 0, work);
+  });
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  double blocks = 0;
-  for (int level = HeightPyramid::kFirstLevel; level <= pyramid.last_level(); ++level)
-    blocks += std::ceil(std::ldexp(grid.columns - 1, -level)) *
-              std::ceil(std::ldexp(grid.rows - 1, -level));
-  const double bytes =
-      blocks * sizeof(HeightPyramid::Range) + static_cast<double>(ceilings.bytes());
-  return {spent.count(), bytes / (1 << 20)};
+  return {spent.count(), static_cast<double>(ceilings.bytes()) / (1 << 20)};
 }
 
 // No frame can be traced faster than it is written.

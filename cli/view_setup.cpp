@@ -118,6 +118,7 @@ ViewFrameOptions frame_options(const ViewOptions& options) {
   frame.z_scale = options.z_scale.value_or(frame.z_scale);
   frame.surface = options.surface;
   frame.search = options.coherence == Coherence::off ? Search::plain : Search::pyramid;
+  frame.threads = options.threads;
   return frame;
 }
 

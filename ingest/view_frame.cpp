@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include <GeographicLib/Constants.hpp>
@@ -12,6 +15,7 @@
 #include "ingest/lay_grid.h"
 #include "ingest/sight.h"
 #include "ingest/view_checks.h"
+#include "render/parallel.h"
 #include "terrain/error.h"
 #include "terrain/grid_walk.h"
 #include "terrain/view_transform.h"
@@ -226,6 +230,23 @@ std::vector<TerrainLayer> ViewFrame::Impl::curved_layers(const VerticalFrame& fr
   return layers;
 }
 
+namespace {
+
+// Those of a grid, in whatever layers it is.
+void make_ceilings(std::vector<TerrainLayer>& layers, int threads) {
+  const ForEach for_each = [threads](int count, const std::function<void(int index)>& work) {
+    parallel_for(count, threads, work);
+  };
+  std::map<const HeightGrid*, std::shared_ptr<const HeightCeilings>> made;
+  for (TerrainLayer& layer : layers) {
+    auto& ceilings = made[layer.grid.get()];
+    if (!ceilings) ceilings = std::make_shared<const HeightCeilings>(*layer.grid, for_each);
+    layer.ceilings = ceilings;
+  }
+}
+
+}  // namespace
+
 ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
                      const ViewFrameOptions& options)
     : impl_(std::make_unique<Impl>()) {
@@ -238,9 +259,11 @@ ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
 
   impl_->eye.ground_m = impl_->ground_under_eye();
   const VerticalFrame frame = impl_->vertical_frame(eye);
+  std::vector<TerrainLayer> layers =
+      impl_->curved ? impl_->curved_layers(frame) : impl_->flat_layers();
+  if (options.search == Search::pyramid) make_ceilings(layers, options.threads);
   impl_->terrain =
-      std::make_shared<Terrain>(impl_->curved ? impl_->curved_layers(frame) : impl_->flat_layers(),
-                                frame, options.surface, options.search);
+      std::make_shared<Terrain>(std::move(layers), frame, options.surface, options.search);
 }
 
 ViewFrame::~ViewFrame() = default;

@@ -29,6 +29,7 @@ struct ViewFrameOptions {
   double z_scale = 1;
   SurfaceModel surface = SurfaceModel::hyperboloid;
   Search search = Search::pyramid;
+  int threads = 0;  // 0 = all the processor has
 };
 
 // An eye's place: over a geographic point, or over a point of the first DEM's own coordinates. The

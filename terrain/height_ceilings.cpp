@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "terrain/height_ceilings.h"
@@ -38,7 +39,8 @@ void highest_of_rows(const float* posts, std::size_t columns, std::size_t rows, 
   }
 }
 
-// out[i] = the highest of in[2 i] ... in[2 i + 2], of `count` values.
+// out[i] = the highest of in[2 i], in[2 i + 1] and, with kShared, in[2 i + 2], of `count` values.
+template <bool kShared>
 void highest_of_pairs(const float* in, std::size_t count, float* out, std::size_t blocks) {
   const hn::ScalableTag<float> d;
   const std::size_t lanes = hn::Lanes(d);
@@ -46,17 +48,28 @@ void highest_of_pairs(const float* in, std::size_t count, float* out, std::size_
   for (; 2 * (i + lanes) + 2 <= count; i += lanes) {
     hn::Vec<decltype(d)> even;
     hn::Vec<decltype(d)> odd;
-    hn::Vec<decltype(d)> next;
-    hn::Vec<decltype(d)> unused;
     hn::LoadInterleaved2(d, in + 2 * i, even, odd);
-    hn::LoadInterleaved2(d, in + 2 * i + 2, next, unused);
-    hn::StoreU(hn::Max(hn::Max(even, odd), next), d, out + i);
+    auto highest = hn::Max(even, odd);
+    if (kShared) {
+      hn::Vec<decltype(d)> next;
+      hn::Vec<decltype(d)> unused;
+      hn::LoadInterleaved2(d, in + 2 * i + 2, next, unused);
+      highest = hn::Max(highest, next);
+    }
+    hn::StoreU(highest, d, out + i);
   }
   for (; i < blocks; ++i) {
     out[i] = in[2 * i];
-    for (std::size_t j = 2 * i + 1; j < std::min(2 * i + 3, count); ++j)
+    for (std::size_t j = 2 * i + 1; j < std::min(2 * i + (kShared ? 3 : 2), count); ++j)
       out[i] = higher(out[i], in[j]);
   }
+}
+
+void highest_of_post_pairs(const float* in, std::size_t count, float* out, std::size_t blocks) {
+  highest_of_pairs<true>(in, count, out, blocks);
+}
+void highest_of_block_pairs(const float* in, std::size_t count, float* out, std::size_t blocks) {
+  highest_of_pairs<false>(in, count, out, blocks);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -67,63 +80,61 @@ HWY_AFTER_NAMESPACE();
 namespace terrview {
 
 HWY_EXPORT(highest_of_rows);
-HWY_EXPORT(highest_of_pairs);
+HWY_EXPORT(highest_of_post_pairs);
+HWY_EXPORT(highest_of_block_pairs);
 
 namespace {
 
-// Level 1, from the posts.
-HeightCeilings::Level finest(const HeightGrid& grid) {
-  const auto columns = static_cast<std::size_t>(grid.columns);
-  const int last_row = grid.rows - 1;
-  HeightCeilings::Level level{grid.columns / 2, grid.rows / 2, {}};
+constexpr int kRowsATime = 32;
+
+// What a level is made from: posts, whose blocks share their borders, or the blocks of the level
+// below.
+struct Source {
+  const float* values;
+  int columns;
+  int rows;
+  int border;
+};
+
+void fill_rows(const Source& from, HeightCeilings::Level& level, int first_row) {
+  const auto columns = static_cast<std::size_t>(from.columns);
   const auto blocks = static_cast<std::size_t>(level.columns);
-  level.highest_m.resize(blocks * static_cast<std::size_t>(level.rows));
   std::vector<float> highest(columns);
-  for (int row = 0; row < level.rows; ++row) {
+  for (int row = first_row; row < std::min(first_row + kRowsATime, level.rows); ++row) {
     const int first = 2 * row;
-    const auto rows = static_cast<std::size_t>(std::min(first + 2, last_row) - first + 1);
+    const auto rows = static_cast<std::size_t>(std::min(2 + from.border, from.rows - first));
     HWY_DYNAMIC_DISPATCH(highest_of_rows)
-    (grid.heights_m.data() + static_cast<std::size_t>(first) * columns, columns, rows,
-     highest.data());
-    HWY_DYNAMIC_DISPATCH(highest_of_pairs)
-    (highest.data(), columns, level.highest_m.data() + static_cast<std::size_t>(row) * blocks,
-     blocks);
+    (from.values + static_cast<std::size_t>(first) * columns, columns, rows, highest.data());
+    float* out = level.highest_m.get() + static_cast<std::size_t>(row) * blocks;
+    if (from.border == 1)
+      HWY_DYNAMIC_DISPATCH(highest_of_post_pairs)(highest.data(), columns, out, blocks);
+    else
+      HWY_DYNAMIC_DISPATCH(highest_of_block_pairs)(highest.data(), columns, out, blocks);
   }
-  return level;
 }
 
-HeightCeilings::Level coarser(const HeightCeilings::Level& fine) {
-  const auto at = [&](int column, int row) {
-    return fine.highest_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(fine.columns) +
-                          static_cast<std::size_t>(column)];
-  };
-  HeightCeilings::Level level{(fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
-  level.highest_m.reserve(static_cast<std::size_t>(level.columns) *
-                          static_cast<std::size_t>(level.rows));
-  for (int row = 0; row < level.rows; ++row) {
-    const int north = 2 * row;
-    const int south = std::min(north + 1, fine.rows - 1);
-    for (int column = 0; column < level.columns; ++column) {
-      const int west = 2 * column;
-      const int east = std::min(west + 1, fine.columns - 1);
-      level.highest_m.push_back(std::max(std::max(at(west, north), at(east, north)),
-                                         std::max(at(west, south), at(east, south))));
-    }
-  }
+HeightCeilings::Level level_of(const Source& from, const ForEach& for_each) {
+  HeightCeilings::Level level{(from.columns + 1 - from.border) / 2,
+                              (from.rows + 1 - from.border) / 2, nullptr};
+  level.highest_m = std::make_unique_for_overwrite<float[]>(level.blocks());
+  for_each((level.rows + kRowsATime - 1) / kRowsATime,
+           [&](int part) { fill_rows(from, level, part * kRowsATime); });
   return level;
 }
 
 }  // namespace
 
-HeightCeilings::HeightCeilings(const HeightGrid& grid) {
-  levels_.push_back(finest(grid));
-  while (levels_.back().columns > 1 || levels_.back().rows > 1)
-    levels_.push_back(coarser(levels_.back()));
+HeightCeilings::HeightCeilings(const HeightGrid& grid, const ForEach& for_each) {
+  levels_.push_back(level_of({grid.heights_m.data(), grid.columns, grid.rows, 1}, for_each));
+  while (levels_.back().columns > 1 || levels_.back().rows > 1) {
+    const Level& fine = levels_.back();
+    levels_.push_back(level_of({fine.highest_m.get(), fine.columns, fine.rows, 0}, for_each));
+  }
 }
 
 std::size_t HeightCeilings::bytes() const {
   std::size_t floats = 0;
-  for (const Level& level : levels_) floats += level.highest_m.size();
+  for (const Level& level : levels_) floats += level.blocks();
   return floats * sizeof(float);
 }
 

@@ -218,7 +218,7 @@ class Marcher {
 
     const MF live = mask_of(active);
     const VI block = choose(live, block_row * of_int(blocks.columns) + block_column, of_int(0));
-    const VF ceiling = hn::GatherIndex(F(), blocks.highest_m.data(), block);
+    const VF ceiling = hn::GatherIndex(F(), blocks.highest_m.get(), block);
     const VF rise = get(set_.rise, first);
     const VF climb = hn::Min(rise * exit.g, rise * get(set_.g, first));
     const VF slack =

@@ -112,7 +112,7 @@ class SectorBounds {
     const auto block = [&](V column, V row) HWY_ATTR {
       const hn::Rebind<float, D> floats;
       const hn::Rebind<std::int32_t, D> ints;
-      return hn::GatherIndex(floats, ring.blocks->highest_m.data(),
+      return hn::GatherIndex(floats, ring.blocks->highest_m.get(),
                              hn::DemoteTo(ints, row * columns + column));
     };
     const auto north = hn::Max(block(u.first, v.first), block(u.last, v.first));

@@ -38,6 +38,7 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
     : layers_(std::move(layers)),
       frame_(frame),
       model_(model),
+      search_(search),
       reach_m_(0),
       ceiling_m_(-std::numeric_limits<double>::infinity()),
       height_bound_m_(0),
@@ -52,9 +53,12 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
       height_bound_m_ = std::max(height_bound_m_, std::abs(frame_.z_scale * height_m));
     has_holes_ |= range.has_holes;
     if (search == Search::plain) continue;
-    pyramids_.emplace_back(*layer.grid);
     if (!layer.ceilings) layer.ceilings = std::make_shared<const HeightCeilings>(*layer.grid);
   }
+  const bool holes_matter = layers_.size() > 1 || model == SurfaceModel::band;
+  const bool sag_matters = model == SurfaceModel::bilinear && !frame_.is_flat();
+  if (skips_blocks() && ((has_holes_ && holes_matter) || sag_matters))
+    for (const TerrainLayer& layer : layers_) floors_.emplace_back(*layer.grid);
 }
 
 std::optional<Hit> Terrain::first_hit(const Ray& ray, TraceCounts* counts) const {

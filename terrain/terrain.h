@@ -26,6 +26,7 @@
 // deeper than that before it (tests/terrain/tracer_test.cpp).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -36,8 +37,8 @@
 
 #include "terrain/ground_map.h"
 #include "terrain/height_ceilings.h"
+#include "terrain/height_floors.h"
 #include "terrain/height_grid.h"
-#include "terrain/height_pyramid.h"
 #include "terrain/ray.h"
 #include "terrain/surface_model.h"
 #include "terrain/vertical_frame.h"
@@ -105,8 +106,12 @@ class Terrain {
   [[nodiscard]] const std::vector<TerrainLayer>& layers() const { return layers_; }
   [[nodiscard]] const VerticalFrame& frame() const { return frame_; }
   [[nodiscard]] SurfaceModel model() const { return model_; }
-  // One pyramid a layer; none where the search is plain.
-  [[nodiscard]] const std::vector<HeightPyramid>& pyramids() const { return pyramids_; }
+  // Whether blocks of cells that lie below a ray are skipped; then layers have ceilings, and floors
+  // where their holes, or the surface between the posts, make a difference to that.
+  [[nodiscard]] bool skips_blocks() const { return search_ == Search::pyramid; }
+  [[nodiscard]] const HeightFloors* floors(std::size_t layer) const {
+    return floors_.empty() ? nullptr : &floors_[layer];
+  }
   // No ground lies further from the eye, or above this z.
   [[nodiscard]] double reach_m() const { return reach_m_; }
   [[nodiscard]] double ceiling_m() const { return ceiling_m_; }
@@ -119,7 +124,8 @@ class Terrain {
   std::vector<TerrainLayer> layers_;
   VerticalFrame frame_;
   SurfaceModel model_;
-  std::vector<HeightPyramid> pyramids_;
+  Search search_;
+  std::vector<HeightFloors> floors_;  // one a layer, or none
   double reach_m_;
   double ceiling_m_;
   double height_bound_m_;

@@ -22,8 +22,8 @@ constexpr double kRounding = 1e-12;
 
 // Where the search of a layer's pyramid stands.
 struct BlockSearch {
-  int level = HeightPyramid::kFirstLevel - 1;  // of the last block skipped
-  glm::ivec2 met{-1, -1};                      // the block of the first level being walked
+  int level = HeightFloors::kFirstLevel - 1;  // of the last block skipped
+  glm::ivec2 met{-1, -1};                     // the block of the first level being walked
 };
 
 // The first root in [0, 1] of above + (below - above) t + bend t (1 - t) where it turns negative,
@@ -108,33 +108,38 @@ class Tracer {
   // The exit of the largest block ahead, up to one level above the last, that the ray clears.
   std::optional<GridWalk::BlockExit> clear_block(std::size_t index, GridWalk& walk,
                                                  BlockSearch& search, double to_m) {
-    if (terrain_.pyramids().empty()) return std::nullopt;
-    constexpr int kFirst = HeightPyramid::kFirstLevel;
-    const HeightPyramid& pyramid = terrain_.pyramids()[index];
+    if (!terrain_.skips_blocks()) return std::nullopt;
+    constexpr int kFirst = HeightFloors::kFirstLevel;
     const glm::ivec2 block(walk.cell().x >> kFirst, walk.cell().y >> kFirst);
     if (block == search.met) return std::nullopt;
-    search.level = std::min(search.level + 1, pyramid.last_level());
+    search.level = std::min(search.level + 1, terrain_.layers()[index].ceilings->last_level());
     for (; search.level >= kFirst; --search.level) {
       ++trace_.counts.nodes;
       const auto exit = walk.block_exit(search.level);
       if (!exit || exit->g_m >= to_m) continue;
       if (exit->g_m <= clear_m_ ||
-          clears(pyramid.block(search.level, walk.cell()), walk.position_m(), exit->g_m))
+          clears(range_of(index, search.level, walk.cell()), walk.position_m(), exit->g_m))
         return exit;
     }
     search.met = block;
     return std::nullopt;
   }
 
+  [[nodiscard]] HeightRange range_of(std::size_t index, int level, glm::ivec2 cell) const {
+    const float highest_m = terrain_.layers()[index].ceilings->highest_m(level, cell);
+    const HeightFloors* floors = terrain_.floors(index);
+    const float lowest_m = floors ? floors->lowest_m(level, cell) : highest_m;
+    return {lowest_m, highest_m, floors && std::isinf(lowest_m)};
+  }
+
   // Whether the ray stays above everything in a block between two points of its line. Errs only in
   // saying no.
-  [[nodiscard]] bool clears(const HeightPyramid::Range& range, double from_m, double to_m) const {
-    const bool has_holes = std::isinf(range.lowest_m);
+  [[nodiscard]] bool clears(const HeightRange& range, double from_m, double to_m) const {
     // Another layer may fill the holes.
-    if (has_holes && terrain_.layers().size() > 1) return false;
+    if (range.has_holes && terrain_.layers().size() > 1) return false;
     if (std::isinf(range.highest_m)) return true;
     // Bands end at holes, which only the walk finds.
-    if (has_holes && terrain_.model() == SurfaceModel::band) return false;
+    if (range.has_holes && terrain_.model() == SurfaceModel::band) return false;
     const VerticalFrame& frame = terrain_.frame();
     const double highest_m = frame.z_scale * range.highest_m;
     const double ceiling_m = frame.ceiling_between(highest_m, line_.at(from_m), line_.at(to_m));
@@ -147,11 +152,11 @@ class Tracer {
 
   // The parabola of a bilinear patch takes dz/dh from one end of the span: where it bulges, it may
   // be higher than its heights by their difference times that of the slopes.
-  [[nodiscard]] double parabola_slack_m(const HeightPyramid::Range& range) const {
+  [[nodiscard]] double parabola_slack_m(const HeightRange& range) const {
     const VerticalFrame& frame = terrain_.frame();
     if (frame.is_flat()) return 0;
     // How low the ground of a block with holes lies is not known.
-    if (std::isinf(range.lowest_m)) return std::numeric_limits<double>::infinity();
+    if (range.has_holes) return std::numeric_limits<double>::infinity();
     const double lowest_m = frame.z_scale * range.lowest_m;
     const double highest_m = frame.z_scale * range.highest_m;
     const auto slopes = frame.slopes(lowest_m, highest_m, terrain_.reach_m());

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -163,16 +163,18 @@ INSTANTIATE_TEST_SUITE_P(Camera, EveryProjection,
                                          Projection::orthographic));
 
 TEST_P(EveryProjection, AimsARowAsItAimsItsRays) {
-  const Camera camera(GetParam());
   constexpr std::size_t kCount = 37;
   std::array<double, kCount> x{};
   std::array<double, kCount> y{};
   std::array<double, kCount> z{};
-  for (const glm::dvec2 first_px : {glm::dvec2(0.5, 0.5), glm::dvec2(100.3, 77.9)}) {
-    camera.aim_row(first_px, {x, y, z});
-    for (std::size_t i = 0; i < kCount; ++i) {
-      const glm::dvec2 at_px = first_px + glm::dvec2(static_cast<double>(i), 0);
-      EXPECT_EQ(glm::dvec3(x[i], y[i], z[i]), camera.ray(at_px).direction);
+  for (const CameraOptions& options : some_cameras(GetParam())) {
+    const Camera camera(options);
+    for (const glm::dvec2 first_px : {glm::dvec2(0.5, 0.5), glm::dvec2(100.3, 77.9)}) {
+      camera.aim_row(first_px, {x, y, z});
+      for (std::size_t i = 0; i < kCount; ++i) {
+        const glm::dvec2 at_px = first_px + glm::dvec2(static_cast<double>(i), 0);
+        EXPECT_EQ(glm::dvec3(x[i], y[i], z[i]), camera.ray(at_px).direction);
+      }
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <glm/vec2.hpp>
@@ -89,6 +90,19 @@ TEST(HeightCeilings, TakeAThirdOfTheHeightsMemory) {
   const HeightGrid grid = make_grid(257, 257, [](int c, int r) { return c - r; });
   const auto heights = static_cast<double>(grid.heights_m.size() * sizeof(float));
   EXPECT_NEAR(static_cast<double>(HeightCeilings(grid).bytes()) / heights, 1.0 / 3, 0.01);
+}
+
+TEST(HeightCeilings, AreTheSameInAnyOrder) {
+  const HeightGrid grid = make_grid(300, 211, [](int c, int r) { return 50 * std::sin(c * r); });
+  const HeightCeilings ceilings(grid);
+  const HeightCeilings backwards(grid, [](int count, const std::function<void(int)>& work) {
+    for (int i = count; i-- > 0;) work(i);
+  });
+  for (int level = 1; level <= ceilings.last_level(); ++level)
+    for (int row = 0; row < grid.rows - 1; row += 3)
+      for (int column = 0; column < grid.columns - 1; column += 3)
+        ASSERT_EQ(ceilings.highest_m(level, {column, row}),
+                  backwards.highest_m(level, {column, row}));
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "terrain/height_pyramid.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -12,39 +10,6 @@
 
 namespace terrview {
 namespace {
-
-TEST(HeightPyramid, BoundsThePostsOfEveryCellAndKnowsItsHoles) {
-  Random random(1);
-  for (int i = 0; i < 100; ++i) {
-    const HeightGrid grid = random_grid(random);
-    const HeightPyramid pyramid(grid);
-    for (int level = HeightPyramid::kFirstLevel; level <= pyramid.last_level(); ++level) {
-      for (int row = 0; row < grid.rows - 1; ++row) {
-        for (int column = 0; column < grid.columns - 1; ++column) {
-          const HeightPyramid::Range& range = pyramid.block(level, {column, row});
-          if (!grid.has_ground(column, row)) {
-            EXPECT_EQ(range.lowest_m, -std::numeric_limits<float>::infinity());
-          }
-          for (const glm::ivec2 post : {glm::ivec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
-            const float height_m = grid.at(column + post.x, row + post.y);
-            EXPECT_FALSE(height_m > range.highest_m || height_m < range.lowest_m);
-          }
-        }
-      }
-    }
-  }
-}
-
-TEST(HeightPyramid, ItsLastLevelIsOneBlock) {
-  for (const glm::ivec2 size : {glm::ivec2(2, 2), {9, 9}, {10, 9}, {2, 100}, {129, 40}}) {
-    const HeightGrid grid =
-        make_grid(size.x, size.y, [](int c, int r) { return c == 0 && r == 0 ? -5 : c + r; });
-    const HeightPyramid pyramid(grid);
-    const auto& all = pyramid.block(pyramid.last_level(), {size.x - 2, size.y - 2});
-    EXPECT_EQ(all.lowest_m, -5);
-    EXPECT_EQ(all.highest_m, static_cast<float>(size.x + size.y - 2));
-  }
-}
 
 bool same_bits(const std::optional<Hit>& a, const std::optional<Hit>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
