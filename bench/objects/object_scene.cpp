@@ -1,77 +1,27 @@
 #include "bench/objects/object_scene.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
-#include <random>
 
 #include <glm/geometric.hpp>
 
+#include "bench/objects/uniform_random.h"
 #include "render/objects/box.h"
-#include "render/objects/sphere.h"
 
 namespace terrview {
-namespace {
-
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double operator()(double low, double high) {
-    // By hand, so that every library makes the same.
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-std::shared_ptr<const Object> box(const glm::dvec3& low, const glm::dvec3& extent) {
-  return std::make_shared<BoxObject>(Box{low, low + extent});
-}
-
-}  // namespace
-
-Objects sphere_scene() {
-  Random random(1984);
-  constexpr glm::dvec3 kExtent(100, 100, 50);
-  Objects objects;
-  while (objects.size() < 200) {
-    const glm::dvec3 centre(random(0, kExtent.x), random(0, kExtent.y), random(0, kExtent.z));
-    const glm::dvec3 room = glm::min(centre, kExtent - centre);
-    const double radius = random(0, std::min({room.x, room.y, room.z}));
-    objects.push_back(std::make_shared<Sphere>(centre, radius));
-  }
-  return objects;
-}
-
-Objects prism_scene() {
-  Random random(1984);
-  Objects objects;
-  for (int row = 0; row < 15; ++row)
-    for (int column = 0; column < 15; ++column)
-      objects.push_back(box({10.0 * column, 10.0 * row, 0}, {6, 6, random(2, 20)}));
-  return objects;
-}
-
-Objects terrain_prism_scene() {
-  Random random(1984);
-  Objects objects;
-  while (objects.size() < 15)
-    objects.push_back(box({random(30, 70), random(30, 70), random(0, 5)},
-                          {random(1, 4), random(1, 4), random(2, 8)}));
-  return objects;
-}
-
 double city_extent_m(int boxes) { return std::sqrt(1000.0 * boxes); }
 
 Objects city_scene(int boxes, double relief_m) {
-  Random random(7);
+  UniformRandom random(7);
   const double extent_m = city_extent_m(boxes);
   Objects objects;
   for (int i = 0; i < boxes; ++i) {
     glm::dvec3 low(random(0, extent_m), random(0, extent_m), 0);
     low.z = relief_m / 2 * (std::sin(low.x / 700) + std::sin(low.y / 900));
-    objects.push_back(box(low, {random(6, 20), random(6, 20), random(3, 30)}));
+    const double width_m = random(6, 20);
+    const double depth_m = random(6, 20);
+    objects.push_back(
+        std::make_shared<BoxObject>(Box{low, low + glm::dvec3(width_m, depth_m, random(3, 30))}));
   }
   return objects;
 }

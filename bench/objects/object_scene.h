@@ -12,11 +12,6 @@
 
 namespace terrview {
 
-// The thesis's [S], [P] and [T]; its cameras are not published, nor where [T]'s prisms stood.
-[[nodiscard]] Objects sphere_scene();
-[[nodiscard]] Objects prism_scene();
-[[nodiscard]] Objects terrain_prism_scene();
-
 // Boxes of 6 to 20 m and 3 to 30 m height at random in a square of 1000 m^2 for each; their ground
 // rises and falls by `relief_m`.
 [[nodiscard]] Objects city_scene(int boxes, double relief_m);

@@ -104,9 +104,8 @@ bool UniformGrid::stops(const Ray& ray, ObjectCounts* counts) const {
   return found;
 }
 
-double UniformGrid::bytes() const {
-  return static_cast<double>(boxes_.size() * sizeof(Box) +
-                             (ends_.size() + lists_.size()) * sizeof(int));
+std::size_t UniformGrid::bytes() const {
+  return boxes_.size() * sizeof(Box) + (ends_.size() + lists_.size()) * sizeof(int);
 }
 
 }  // namespace terrview

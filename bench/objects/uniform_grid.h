@@ -19,7 +19,7 @@ class UniformGrid : public ObjectSet {
   [[nodiscard]] std::optional<ObjectHit> first_hit(const Ray& ray,
                                                    ObjectCounts* counts = nullptr) const override;
   [[nodiscard]] bool stops(const Ray& ray, ObjectCounts* counts = nullptr) const override;
-  [[nodiscard]] double bytes() const;
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   [[nodiscard]] int cell(int axis, double at_m) const;

@@ -70,7 +70,7 @@ void compare_with_every_object(std::uint64_t seed, int scenes, int rays) {
     const RectangleMap scattered(random.scattered(1 + scene % 60, 1 + scene % 30));
     for (int i = 0; i < rays; ++i) {
       ASSERT_EQ(fault(lattice, random.lattice_ray(size)), "") << to_string(lattice.objects());
-      ASSERT_EQ(fault(scattered, random.ray()), "") << "scattered scene " << seed + scene;
+      ASSERT_EQ(fault(scattered, random.ray()), "") << "scattered scene " << scene;
     }
   }
 }
