@@ -1,8 +1,11 @@
 #include "render/objects/rectangle_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <compare>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -14,6 +17,16 @@
 
 namespace terrview {
 namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+// Where a ray enters the bounds of a group.
+struct Entry {
+  double at_m;
+  int group;
+
+  friend auto operator<=>(const Entry&, const Entry&) = default;
+};
 
 // Tiles that a ray goes through before it looks farther ahead: looking costs as much as some of
 // them.
@@ -119,22 +132,40 @@ void RectangleMap::walk(const Ray& ray, ObjectCounts* counts, const Visit& visit
   if (counts != nullptr) counts->steps += steps;
 }
 
-// Visits those over a tile that the ray enters here; the others are met elsewhere.
+// Visits those over a tile that the ray enters here, in the order in which it does; the others are
+// met elsewhere.
 template <class Visit>
 bool RectangleMap::meet(const SlabRay& slabs, int over, const Stretch& here, double& leave_m,
                         const Visit& visit) const {
-  if (over >= 0) return meet_group(slabs, over, here, leave_m, visit);
-  for (const int group : lists_[-2 - over])
-    if (meet_group(slabs, group, here, leave_m, visit)) return true;
+  const auto& boxes = group_size_ > 1 ? group_boxes_ : boxes_;
+  const auto entry = [&](int group) {
+    const auto stretch = slabs.within(boxes[static_cast<std::size_t>(group)], 0, leave_m);
+    const bool is_here =
+        stretch && stretch->enter_m >= here.enter_m && stretch->enter_m <= here.leave_m;
+    return Entry{is_here ? stretch->enter_m : kNowhere, group};
+  };
+  if (over >= 0) return entry(over).at_m < kNowhere && meet(slabs, over, leave_m, visit);
+  const std::span<const int> list = lists_[-2 - over];
+  // Some at a time: most lists are short.
+  std::array<Entry, 16> entries;
+  for (std::size_t begin = 0; begin < list.size(); begin += entries.size()) {
+    std::size_t count = 0;
+    for (const int group : list.subspan(begin, std::min(entries.size(), list.size() - begin))) {
+      const Entry it = entry(group);
+      if (it.at_m < kNowhere) entries[count++] = it;
+    }
+    const std::span<Entry> met(entries.data(), count);
+    std::ranges::sort(met);
+    for (const Entry& it : met)
+      if (it.at_m <= leave_m && meet(slabs, it.group, leave_m, visit)) return true;
+  }
   return false;
 }
 
 template <class Visit>
-bool RectangleMap::meet_group(const SlabRay& slabs, int group, const Stretch& here, double& leave_m,
-                              const Visit& visit) const {
+bool RectangleMap::meet(const SlabRay& slabs, int group, double& leave_m,
+                        const Visit& visit) const {
   const auto i = static_cast<std::size_t>(group);
-  const auto stretch = slabs.within((group_size_ > 1 ? group_boxes_ : boxes_)[i], 0, leave_m);
-  if (!stretch || stretch->enter_m < here.enter_m || stretch->enter_m > here.leave_m) return false;
   if (group_size_ == 1) return visit(order_[i], leave_m);
   const std::size_t end = std::min(boxes_.size(), (i + 1) * group_size_);
   for (std::size_t member = i * group_size_; member < end; ++member)

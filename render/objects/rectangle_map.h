@@ -51,8 +51,7 @@ class RectangleMap : public ObjectSet {
   bool meet(const SlabRay& slabs, int over, const Stretch& here, double& leave_m,
             const Visit& visit) const;
   template <class Visit>
-  bool meet_group(const SlabRay& slabs, int group, const Stretch& here, double& leave_m,
-                  const Visit& visit) const;
+  bool meet(const SlabRay& slabs, int group, double& leave_m, const Visit& visit) const;
 
   Box bounds_;
   std::size_t group_size_ = 1;    // how many objects are held as one
