@@ -1,19 +1,36 @@
 #include "render/objects/rectangle_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <compare>
 #include <cstdint>
-#include <numeric>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include <glm/common.hpp>
 
+#include "render/objects/plane_order.h"
 #include "render/objects/rectangle_course.h"
 #include "render/objects/rectangle_ranks.h"
 
 namespace terrview {
 namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+// Where a ray enters the bounds of a group.
+struct Entry {
+  double at_m;
+  int group;
+
+  friend auto operator<=>(const Entry&, const Entry&) = default;
+};
+
+// Tiles that a ray goes through before it looks farther ahead: looking costs as much as some of
+// them.
+constexpr int kPatience = 4;
 
 Box around(std::span<const Box> boxes) {
   Box sum = boxes.front();
@@ -22,34 +39,17 @@ Box around(std::span<const Box> boxes) {
   return sum;
 }
 
-// The bits of two coordinates by turns: what is near in number is near in the plane.
-std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
-  const auto spread = [](std::uint64_t v) {
-    v = (v | v << 16) & 0x0000FFFF0000FFFF;
-    v = (v | v << 8) & 0x00FF00FF00FF00FF;
-    v = (v | v << 4) & 0x0F0F0F0F0F0F0F0F;
-    v = (v | v << 2) & 0x3333333333333333;
-    return (v | v << 1) & 0x5555555555555555;
-  };
-  return spread(x) | spread(y) << 1;
-}
-
 std::vector<int> neighbours_together(const std::vector<Box>& boxes, const Box& bounds) {
-  std::vector<std::pair<std::uint64_t, int>> places;
-  for (const Box& box : boxes) {
-    const auto place = [&](int axis) {
-      const double low_m = bounds.lowest_m[axis];
-      const double middle_m = box.lowest_m[axis] / 2 + box.highest_m[axis] / 2;
-      const double share = (middle_m / 2 - low_m / 2) / (bounds.highest_m[axis] / 2 - low_m / 2);
-      constexpr double kMost = 4294967295.0;
-      return share > 0 ? static_cast<std::uint32_t>(std::min(share, 1.0) * kMost) : 0U;
-    };
-    places.emplace_back(interleaved(place(0), place(1)), static_cast<int>(places.size()));
-  }
-  std::sort(places.begin(), places.end());
-  std::vector<int> order;
-  for (const auto& [place, i] : places) order.push_back(i);
-  return order;
+  const int bits = order_bits(boxes.size());
+  std::vector<std::uint32_t> keys;
+  keys.reserve(boxes.size());
+  const auto place = [&](const Box& box, int axis) {
+    const double low_m = bounds.lowest_m[axis];
+    const double share = (box.lowest_m[axis] - low_m) / (bounds.highest_m[axis] - low_m);
+    return share > 0 ? static_cast<std::uint32_t>(std::min(share, 1.0) * ((1 << bits) - 1)) : 0U;
+  };
+  for (const Box& box : boxes) keys.push_back(interleaved(place(box, 0), place(box, 1)));
+  return order_of(keys);
 }
 
 std::vector<Range> ranges(const std::vector<Box>& boxes, int axis) {
@@ -62,21 +62,16 @@ std::vector<Range> ranges(const std::vector<Box>& boxes, int axis) {
 
 }  // namespace
 
-RectangleMap::RectangleMap(Objects objects)
-    : ObjectSet(std::move(objects)), order_(this->objects().size()) {
+RectangleMap::RectangleMap(Objects objects) : ObjectSet(std::move(objects)) {
   assert(!this->objects().empty());
-  std::iota(order_.begin(), order_.end(), 0);
-  boxes_.reserve(order_.size());
-  for (const auto& object : this->objects()) boxes_.push_back(object->bounds());
-  bounds_ = around(boxes_);
-  if (build()) return;
-  order_ = neighbours_together(boxes_, bounds_);
-  std::vector<Box> sorted;
-  for (const int i : order_) sorted.push_back(boxes_[static_cast<std::size_t>(i)]);
-  boxes_ = std::move(sorted);
-  do {
-    group_size_ *= 2;
-  } while (!build());
+  std::vector<Box> boxes;
+  boxes.reserve(this->objects().size());
+  for (const auto& object : this->objects()) boxes.push_back(object->bounds());
+  bounds_ = around(boxes);
+  order_ = neighbours_together(boxes, bounds_);
+  boxes_.reserve(boxes.size());
+  for (const int i : order_) boxes_.push_back(boxes[static_cast<std::size_t>(i)]);
+  while (!build()) group_size_ *= 2;
 }
 
 // Whether that could be done within a multiple of the objects.
@@ -93,8 +88,8 @@ bool RectangleMap::build() {
   constexpr std::size_t kMost = 32;
   auto partition = cut_plane(x, y, kMost * (boxes_.size() + kMost));
   if (!partition) return false;
+  tiles_ = link(*partition, x.lines, y.lines);
   lists_ = std::move(partition->lists);
-  tiles_ = link(partition->rectangles, x.lines, y.lines);
   cells_.emplace(boxes, bounds_, tiles_.tiles);
   return true;
 }
@@ -109,45 +104,72 @@ void RectangleMap::walk(const Ray& ray, ObjectCounts* counts, const Visit& visit
   double leave_m = whole->leave_m;
   std::int64_t steps = 0;
   const Course course(tiles_, slabs);
-  CellWalk cells(*cells_, slabs, whole->enter_m);
-  int at = Tile::kEdge;
-  double walked_m = 0;
-  bool done = false;
-  while (!done) {
-    const auto stretch = cells.next(leave_m);
-    if (!stretch) break;
-    if (at == Tile::kEdge || stretch->enter_m > walked_m)
-      at = course.tile_at(stretch->enter_m, cells.tile(), steps);
-    walked_m = stretch->leave_m;
-    for (Stretch here = *stretch;; here.enter_m = here.leave_m, ++steps) {
-      const Tile& tile = course.tile(at);
-      const Course::Exit exit = course.exit(tile);
-      here.leave_m = std::min(exit.passing.at_m, walked_m);
-      done = tile.list != Rectangle::kEmpty && meet(slabs, tile.list, here, leave_m, visit);
-      if (done || exit.passing.at_m > std::min(walked_m, leave_m)) break;
+  Stretch here = *whole;
+  const glm::dvec2 entry_m(slabs.at_m(0, here.enter_m), slabs.at_m(1, here.enter_m));
+  int at = course.tile_at(here.enter_m, cells_->tile_near(entry_m), steps);
+  for (int patience = kPatience; at != Tile::kEdge; ++steps) {
+    const Tile& tile = course.tile(at);
+    const Course::Exit exit = course.exit(tile);
+    here.leave_m = exit.passing.at_m;
+    if (tile.over != Rectangle::kEmpty && meet(slabs, tile.over, here, leave_m, visit)) break;
+    if (exit.passing.at_m > leave_m) break;
+    here.enter_m = exit.passing.at_m;
+    if (--patience > 0) {
       at = course.beyond(tile, exit.side, exit.passing);
-      done = at == Tile::kEdge;
-      if (done) break;
+      continue;
+    }
+    patience = kPatience;
+    CellWalk cells(*cells_, slabs, here.enter_m);
+    const auto next = cells.next(leave_m);
+    if (!next) break;
+    if (next->enter_m > here.enter_m) {
+      here.enter_m = next->enter_m;
+      at = course.tile_at(here.enter_m, cells.tile(), steps);
+    } else {
+      at = course.beyond(tile, exit.side, exit.passing);
     }
   }
   if (counts != nullptr) counts->steps += steps;
 }
 
-// Visits those of a list that the ray enters here; the others are met elsewhere.
+// Visits those over a tile that the ray enters here, in the order in which it does; the others are
+// met elsewhere.
 template <class Visit>
-bool RectangleMap::meet(const SlabRay& slabs, int list, const Stretch& here, double& leave_m,
+bool RectangleMap::meet(const SlabRay& slabs, int over, const Stretch& here, double& leave_m,
                         const Visit& visit) const {
   const auto& boxes = group_size_ > 1 ? group_boxes_ : boxes_;
-  for (const int group : lists_[list]) {
-    const auto i = static_cast<std::size_t>(group);
-    const auto stretch = slabs.within(boxes[i], 0, leave_m);
-    if (!stretch || stretch->enter_m < here.enter_m || stretch->enter_m > here.leave_m) continue;
-    const std::size_t end = std::min(boxes_.size(), (i + 1) * group_size_);
-    for (std::size_t member = i * group_size_; member < end; ++member) {
-      if (group_size_ > 1 && !slabs.within(boxes_[member], 0, leave_m)) continue;
-      if (visit(order_[member], leave_m)) return true;
+  const auto entry = [&](int group) {
+    const auto stretch = slabs.within(boxes[static_cast<std::size_t>(group)], 0, leave_m);
+    const bool is_here =
+        stretch && stretch->enter_m >= here.enter_m && stretch->enter_m <= here.leave_m;
+    return Entry{is_here ? stretch->enter_m : kNowhere, group};
+  };
+  if (over >= 0) return entry(over).at_m < kNowhere && meet(slabs, over, leave_m, visit);
+  const std::span<const int> list = lists_[-2 - over];
+  // Some at a time: most lists are short.
+  std::array<Entry, 16> entries;
+  for (std::size_t begin = 0; begin < list.size(); begin += entries.size()) {
+    std::size_t count = 0;
+    for (const int group : list.subspan(begin, std::min(entries.size(), list.size() - begin))) {
+      const Entry it = entry(group);
+      if (it.at_m < kNowhere) entries[count++] = it;
     }
+    const std::span<Entry> met(entries.data(), count);
+    std::ranges::sort(met);
+    for (const Entry& it : met)
+      if (it.at_m <= leave_m && meet(slabs, it.group, leave_m, visit)) return true;
   }
+  return false;
+}
+
+template <class Visit>
+bool RectangleMap::meet(const SlabRay& slabs, int group, double& leave_m,
+                        const Visit& visit) const {
+  const auto i = static_cast<std::size_t>(group);
+  if (group_size_ == 1) return visit(order_[i], leave_m);
+  const std::size_t end = std::min(boxes_.size(), (i + 1) * group_size_);
+  for (std::size_t member = i * group_size_; member < end; ++member)
+    if (slabs.within(boxes_[member], 0, leave_m) && visit(order_[member], leave_m)) return true;
   return false;
 }
 
@@ -182,7 +204,7 @@ bool RectangleMap::stops(const Ray& ray, ObjectCounts* counts) const {
 }
 
 std::size_t RectangleMap::empty_rectangles() const {
-  return static_cast<std::size_t>(std::ranges::count(tiles_.tiles, Rectangle::kEmpty, &Tile::list));
+  return static_cast<std::size_t>(std::ranges::count(tiles_.tiles, Rectangle::kEmpty, &Tile::over));
 }
 
 std::size_t RectangleMap::bytes() const {

@@ -48,8 +48,10 @@ class RectangleMap : public ObjectSet {
   template <class Visit>
   void walk(const Ray& ray, ObjectCounts* counts, const Visit& visit) const;
   template <class Visit>
-  bool meet(const SlabRay& slabs, int list, const Stretch& here, double& leave_m,
+  bool meet(const SlabRay& slabs, int over, const Stretch& here, double& leave_m,
             const Visit& visit) const;
+  template <class Visit>
+  bool meet(const SlabRay& slabs, int group, double& leave_m, const Visit& visit) const;
 
   Box bounds_;
   std::size_t group_size_ = 1;    // how many objects are held as one

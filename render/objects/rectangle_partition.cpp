@@ -1,8 +1,10 @@
 #include "render/objects/rectangle_partition.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
+#include "render/objects/plane_order.h"
 #include "render/objects/rank_set.h"
 
 namespace terrview {
@@ -184,6 +186,23 @@ std::vector<int> in_order(const RankedAxis& x) {
   return order;
 }
 
+// Neighbours together: what a ray walks through is then near in memory.
+void sort(std::vector<Rectangle>& rectangles, const RankedAxis& x, const RankedAxis& y) {
+  const int bits = order_bits(rectangles.size());
+  const auto place = [&](int border, const Lines& lines) {
+    const std::int64_t share = (std::int64_t{border} << bits) / lines.borders();
+    return static_cast<std::uint32_t>(share);
+  };
+  std::vector<std::uint32_t> keys;
+  keys.reserve(rectangles.size());
+  for (const Rectangle& it : rectangles)
+    keys.push_back(interleaved(place(it.x.low, x.lines), place(it.y.low, y.lines)));
+  std::vector<Rectangle> sorted;
+  sorted.reserve(rectangles.size());
+  for (const int i : order_of(keys)) sorted.push_back(rectangles[static_cast<std::size_t>(i)]);
+  rectangles = std::move(sorted);
+}
+
 }  // namespace
 
 std::optional<Partition> cut_plane(const RankedAxis& x, const RankedAxis& y, std::size_t most) {
@@ -198,7 +217,9 @@ std::optional<Partition> cut_plane(const RankedAxis& x, const RankedAxis& y, std
     }
     if (sweep.size() > most) return std::nullopt;
   }
-  return sweep.finish(x.lines.borders() - 1);
+  Partition partition = sweep.finish(x.lines.borders() - 1);
+  sort(partition.rectangles, x, y);
+  return partition;
 }
 
 }  // namespace terrview

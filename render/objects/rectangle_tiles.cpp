@@ -122,22 +122,29 @@ class Linker {
   std::vector<Neighbour> high_run_;
 };
 
-Tile unlinked(const Rectangle& it, const Lines& x, const Lines& y) {
+int over(const Rectangle& it, const IntLists& lists) {
+  if (it.list == Rectangle::kEmpty) return it.list;
+  const auto list = lists[it.list];
+  return list.size() == 1 ? list[0] : -2 - it.list;
+}
+
+Tile unlinked(const Rectangle& it, const IntLists& lists, const Lines& x, const Lines& y) {
   const auto behind = [](int border, unsigned side) { return border % 2 != 0 ? 1U << side : 0U; };
   return {
       {x.border_m(it.x.low), x.border_m(it.x.high), y.border_m(it.y.low), y.border_m(it.y.high)},
       {Tile::kEdge, Tile::kEdge, Tile::kEdge, Tile::kEdge},
-      it.list,
+      over(it, lists),
       behind(it.x.low, 0) | behind(it.x.high, 1) | behind(it.y.low, 2) | behind(it.y.high, 3)};
 }
 
 }  // namespace
 
-Tiles link(const std::vector<Rectangle>& rectangles, const Lines& x, const Lines& y) {
+Tiles link(const Partition& partition, const Lines& x, const Lines& y) {
+  const auto& rectangles = partition.rectangles;
   Tiles tiles;
   tiles.tiles.reserve(rectangles.size());
-  for (const Rectangle& it : rectangles) tiles.tiles.push_back(unlinked(it, x, y));
-  tiles.neighbours.reserve(2 * rectangles.size());
+  for (const Rectangle& it : rectangles) tiles.tiles.push_back(unlinked(it, partition.lists, x, y));
+  tiles.neighbours.reserve(5 * rectangles.size());
   Linker(rectangles, 0, x, y, tiles).link();
   Linker(rectangles, 1, y, x, tiles).link();
   return tiles;

@@ -19,7 +19,8 @@ struct Tile {
   // The tile beyond each side; where there are several, -2 minus the place of their number; or
   // kEdge.
   std::array<int, kSides> beyond;
-  int list;            // of Partition::lists, or Rectangle::kEmpty
+  // The object over it; where there are several, -2 minus their list; or Rectangle::kEmpty.
+  int over;
   unsigned is_behind;  // a bit per side: whether its border is the one behind its line
 };
 
@@ -37,6 +38,6 @@ struct Tiles {
 };
 
 // O(n log n), linear where few rectangles share a line.
-[[nodiscard]] Tiles link(const std::vector<Rectangle>& rectangles, const Lines& x, const Lines& y);
+[[nodiscard]] Tiles link(const Partition& partition, const Lines& x, const Lines& y);
 
 }  // namespace terrview

@@ -34,6 +34,7 @@ class SlabRay {
       const double d = ray.direction[axis];
       backward_[axis] = d < 0;
       pace_[axis] = d == 0 ? std::numeric_limits<double>::infinity() : length / d;
+      rate_[axis] = d / length;
     }
   }
 
@@ -45,7 +46,7 @@ class SlabRay {
 
   // The coordinate at a distance.
   [[nodiscard]] double at_m(int axis, double distance_m) const {
-    return origin_m_[axis] + distance_m / pace_[axis];
+    return origin_m_[axis] + distance_m * rate_[axis];
   }
 
   [[nodiscard]] bool backward(int axis) const { return backward_[axis]; }
@@ -76,6 +77,7 @@ class SlabRay {
  private:
   glm::dvec3 origin_m_;
   glm::dvec3 pace_;  // distance per coordinate
+  glm::dvec3 rate_;  // coordinate per distance
   double length_m_;
   glm::bvec3 backward_;
 };

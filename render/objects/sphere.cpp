@@ -30,7 +30,9 @@ std::optional<SurfaceHit> Sphere::first_hit(const Ray& ray) const {
   // Rounding must not carry it out of the bounds.
   distance_m = std::clamp(distance_m, stretch->enter_m, stretch->leave_m);
   const glm::dvec3 position_m = ray.origin_m + distance_m * along;
-  return SurfaceHit{distance_m, position_m, glm::normalize(position_m - centre_m_), 0};
+  const glm::dvec3 outward = position_m - centre_m_;
+  const bool is_point = outward == glm::dvec3(0);
+  return SurfaceHit{distance_m, position_m, is_point ? -along : glm::normalize(outward), 0};
 }
 
 }  // namespace terrview

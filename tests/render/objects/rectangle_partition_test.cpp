@@ -128,7 +128,7 @@ TEST(Partition, StopsAtTheGivenSize) {
 TEST(Tiles, KnowTheirNeighboursAndWhereThoseEnd) {
   for (const Plane& plane : planes()) {
     const auto& rectangles = plane.partition.rectangles;
-    const Tiles tiles = link(rectangles, plane.x.lines, plane.y.lines);
+    const Tiles tiles = link(plane.partition, plane.x.lines, plane.y.lines);
     ASSERT_EQ(tiles.tiles.size(), rectangles.size());
     for (std::size_t i = 0; i < rectangles.size(); ++i) {
       const Rectangle& it = rectangles[i];
