@@ -108,7 +108,8 @@ TEST(SceneObjects, GiveTheSameBytesForAnyNumberOfThreadsAndAnyOrderOfRays) {
       const Frame one = picture(scene, camera, {.threads = 1, .samples = samples});
       EXPECT_TRUE(same_bytes(one, picture(scene, camera, {.threads = 5, .samples = samples})));
       EXPECT_TRUE(same_bytes(
-          one, picture(scene, camera, {.threads = 2, .coherence = false, .samples = samples})));
+          one,
+          picture(scene, camera, {.threads = 2, .coherence = Coherence::off, .samples = samples})));
     }
     const Frame preview = picture(scene, camera, {.threads = 1, .preview = true});
     EXPECT_TRUE(same_bytes(preview, picture(scene, camera, {.threads = 3, .preview = true})));
