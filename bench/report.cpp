@@ -92,7 +92,7 @@ void print_thesis(std::ostream& out, const std::vector<BenchResult>& results) {
       if (result.view != figure.view || result.threads != results[0].threads) continue;
       if (first) out << "\nTests per primary ray, and those of Coquillart 1984\n";
       first = false;
-      out << "  " << pad(figure.photo, 21, true) << pad(result.contender, 18, true)
+      out << "  " << pad(figure.photo, 21, true) << pad(result.contender, 20, true)
           << pad(result.surface.value_or("-"), 12, true)
           << pad(format("%.2f", *result.tests_per_ray), 8, false) << "   thesis " << figure.plain
           << ", with coherence " << figure.coherent << '\n';

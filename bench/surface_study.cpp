@@ -115,7 +115,7 @@ Motion ground_motion(const BenchDem& dem, const BenchView& view, SurfaceModel mo
   return {spread_of(std::move(steps_m)), spread_of(std::move(steps_px)), sweep_px};
 }
 
-HeightErrors errors_at_dropped_posts(const BenchDem& dem, SurfaceModel model) {
+HeightErrors errors_at_dropped_posts(const BenchDem& dem, SurfaceModel model, DroppedPosts which) {
   const HeightGrid& fine = *dem.grid;
   HeightGrid coarse{(fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
   for (int row = 0; row < coarse.rows; ++row)
@@ -125,19 +125,24 @@ HeightErrors errors_at_dropped_posts(const BenchDem& dem, SurfaceModel model) {
   // Some of the posts of a large grid are enough.
   const int stride = std::max(1, std::max(coarse.columns, coarse.rows) / 256);
   constexpr int kAzimuths = 8;
+  const std::vector<glm::dvec2> places = which == DroppedPosts::in_cells
+                                             ? std::vector<glm::dvec2>{{0.5, 0.5}}
+                                             : std::vector<glm::dvec2>{{0.5, 0}, {0, 0.5}};
   std::vector<double> errors;
   double sum = 0;
   for (int row = 0; row + 1 < coarse.rows; row += stride)
-    for (int column = 0; column + 1 < coarse.columns; column += stride) {
-      const double true_m = fine.at(2 * column + 1, 2 * row + 1);
-      for (int i = 0; i < kAzimuths; ++i) {
-        const double azimuth = 2 * std::numbers::pi * (i + 0.5) / kAzimuths;
-        const glm::dvec2 point(column + 0.5, row + 0.5);
-        const glm::dvec2 eye = point + 10.0 * glm::dvec2(std::cos(azimuth), std::sin(azimuth));
-        errors.push_back(std::abs(height_seen_m(thinned, model, eye, point) - true_m));
-        sum += errors.back() * errors.back();
+    for (int column = 0; column + 1 < coarse.columns; column += stride)
+      for (const glm::dvec2& place : places) {
+        const glm::dvec2 point = glm::dvec2(column, row) + place;
+        const glm::ivec2 post(2.0 * point);
+        const double true_m = fine.at(post.x, post.y);
+        for (int i = 0; i < kAzimuths; ++i) {
+          const double azimuth = 2 * std::numbers::pi * (i + 0.5) / kAzimuths;
+          const glm::dvec2 eye = point + 10.0 * glm::dvec2(std::cos(azimuth), std::sin(azimuth));
+          errors.push_back(std::abs(height_seen_m(thinned, model, eye, point) - true_m));
+          sum += errors.back() * errors.back();
+        }
       }
-    }
   const double rms_m = errors.empty() ? 0 : std::sqrt(sum / static_cast<double>(errors.size()));
   const Spread spread = spread_of(std::move(errors));
   return {rms_m, spread.p99, spread.most};

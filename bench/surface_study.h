@@ -36,8 +36,12 @@ struct HeightErrors {
   double p99_m = 0;
   double most_m = 0;
 };
-// In the middle of the cells that are left, where alone the models differ, over eight azimuths.
-[[nodiscard]] HeightErrors errors_at_dropped_posts(const BenchDem& dem, SurfaceModel model);
+// In the middle of the cells that are left, where most models differ; or on their edges, where the
+// band alone differs from the others.
+enum class DroppedPosts { in_cells, on_edges };
+// Over eight azimuths.
+[[nodiscard]] HeightErrors errors_at_dropped_posts(const BenchDem& dem, SurfaceModel model,
+                                                   DroppedPosts which);
 
 // The view of someone who stands on a valley's floor, the eye 2 m above it.
 [[nodiscard]] BenchView walkers_view(const BenchDem& dem, glm::ivec2 size_px);

@@ -54,12 +54,14 @@ void print_surface_study(std::ostream& out, const BenchDem& dem, glm::ivec2 size
     if (view.name == "horizon" || view.name == "valley" || view.name == "oblique")
       print_view_study(out, dem, view);
   out << "\n"
-      << dem.name << ", heights of the posts dropped from the middle of cells twice as wide\n"
-      << "  surface          rms, m      p99      max\n";
+      << dem.name << ", heights of the posts dropped so that cells are twice as wide\n"
+      << "  surface        in cells: rms, m      p99      max   on edges: rms, m      p99      "
+         "max\n";
   for (const SurfaceModel model : kSurfaceModels) {
-    const HeightErrors errors = errors_at_dropped_posts(dem, model);
-    print_line(out, "  %-12s %10.3f %8.3f %8.3f", name_of(model), errors.rms_m, errors.p99_m,
-               errors.most_m);
+    const HeightErrors cells = errors_at_dropped_posts(dem, model, DroppedPosts::in_cells);
+    const HeightErrors edges = errors_at_dropped_posts(dem, model, DroppedPosts::on_edges);
+    print_line(out, "  %-12s %18.3f %8.3f %8.3f %18.3f %8.3f %8.3f", name_of(model), cells.rms_m,
+               cells.p99_m, cells.most_m, edges.rms_m, edges.p99_m, edges.most_m);
   }
 }
 

@@ -92,7 +92,7 @@ class Tracer {
         continue;
       }
       if (!walk.next(span)) break;
-      if (span.out.g_m <= clear_m_) {
+      if (span.out.g_m < clear_m_) {
         pass(span);
         covered_m = span.out.g_m;
         continue;
@@ -117,7 +117,7 @@ class Tracer {
       ++trace_.counts.nodes;
       const auto exit = walk.block_exit(search.level);
       if (!exit || exit->g_m >= to_m) continue;
-      if (exit->g_m <= clear_m_ ||
+      if (exit->g_m < clear_m_ ||
           clears(range_of(index, search.level, walk.cell()), walk.position_m(), exit->g_m))
         return exit;
     }

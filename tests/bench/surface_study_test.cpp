@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace terrview {
 namespace {
@@ -46,9 +47,15 @@ TEST(ErrorsAtDroppedPosts, AreThoseOfAParaboloidInClosedForm) {
   const BenchDem dem = make_bench_dem("bowl", grid, {1, 0, 0, -1});
   // The mean of the four corners of a cell 2 wide is 2 m above the middle, any diagonal's, too.
   for (const SurfaceModel model : kSurfaceModels) {
-    const HeightErrors errors = errors_at_dropped_posts(dem, model);
+    const HeightErrors errors = errors_at_dropped_posts(dem, model, DroppedPosts::in_cells);
     EXPECT_NEAR(errors.rms_m, 2, 1e-6);
     EXPECT_NEAR(errors.most_m, 2, 1e-6);
+    // The mean of an edge's ends is 1 m above its middle. Of eight azimuths four go over it from
+    // line to line of a band, aslant by the tangent of 22.5 degrees; not so at the rim.
+    const HeightErrors edges = errors_at_dropped_posts(dem, model, DroppedPosts::on_edges);
+    const double most_m = model == SurfaceModel::band ? 1 + 2 * std::tan(std::numbers::pi / 8) : 1;
+    EXPECT_NEAR(edges.most_m, most_m, 1e-6);
+    EXPECT_NEAR(edges.rms_m, std::sqrt((1 + most_m * most_m) / 2), most_m > 1 ? 0.02 : 1e-6);
   }
 }
 
