@@ -58,10 +58,28 @@ PixelRange pixels_of(const Camera& camera, const Box& box) {
           glm::ivec2(glm::clamp(glm::ceil(high) + 1.0, glm::dvec2(0), limit))};
 }
 
-// What the picture would show of some objects if nothing stood before them.
-Extent alone(const Camera& camera, const std::vector<const Object*>& objects) {
+// One feature as the picture has it.
+struct Subject {
+  std::int32_t id;
+  std::vector<const Object*> objects;
+};
+
+// Whether a ray would show some of the subject above the ground, if nothing stood before it.
+bool would_show(const Terrain& terrain, const Subject& subject, const Ray& ray) {
+  return std::any_of(subject.objects.begin(), subject.objects.end(), [&](const Object* object) {
+    const auto hit = object->first_hit(ray);
+    if (!hit) return false;
+    const glm::dvec2 ground_m(hit->position_m);
+    const auto ground = terrain.ground_at(ground_m);
+    return !ground || hit->position_m.z >= terrain.frame().at(ground_m).z_m(ground->scene_height_m);
+  });
+}
+
+// What the picture would show of the subject if nothing stood before it.
+Extent alone(const View& view, const Raster<PixelSample>& samples, const Subject& subject) {
+  const Camera& camera = view.camera;
   PixelRange range{camera.options().size_px, {0, 0}};
-  for (const Object* object : objects) {
+  for (const Object* object : subject.objects) {
     const PixelRange more = pixels_of(camera, object->bounds());
     if (more.low.x >= more.high.x || more.low.y >= more.high.y) continue;
     range = {glm::min(range.low, more.low), glm::max(range.high, more.high)};
@@ -69,9 +87,8 @@ Extent alone(const Camera& camera, const std::vector<const Object*>& objects) {
   Extent extent;
   for (int row = range.low.y; row < range.high.y; ++row) {
     for (int column = range.low.x; column < range.high.x; ++column) {
-      const Ray ray = camera.ray({column + 0.5, row + 0.5});
-      if (std::any_of(objects.begin(), objects.end(),
-                      [&](const Object* object) { return object->stops(ray); }))
+      if (samples.at(column, row).object_id == subject.id ||
+          would_show(*view.scene.terrain, subject, camera.ray({column + 0.5, row + 0.5})))
         extent.add(pixel_solid_angle_sr(camera, {column, row}));
     }
   }
@@ -141,7 +158,7 @@ std::string objects_csv(const View& view, const Frame& frame, int threads) {
     const PlacedFeature& feature = placed.features[i];
     const auto found = seen.find(feature.id);
     lines[i] = line_of(feature, found == seen.end() ? Extent{} : found->second,
-                       alone(view.camera, objects.at(feature.id)));
+                       alone(view, frame.samples, {feature.id, objects.at(feature.id)}));
   });
   std::string text = "id,kind,feature,name,height_m,pixels,solid_angle_sr,share_visible\n";
   for (const std::string& line : lines) text += line;

@@ -14,6 +14,7 @@
 #include "render/color_ramp.h"
 #include "render/objects/crown.h"
 #include "render/objects/hull.h"
+#include "render/objects/make_object_set.h"
 #include "render/objects/prism.h"
 #include "terrain/error.h"
 
@@ -181,7 +182,7 @@ class BuildingPlacer {
 std::shared_ptr<const SceneObjects> PlacedObjects::scene_objects() const {
   if (objects.empty()) return nullptr;
   auto scene = std::make_shared<SceneObjects>();
-  scene->set = std::make_shared<ObjectList>(objects);
+  scene->set = make_object_set(objects);
   scene->looks = looks;
   return scene;
 }
@@ -202,7 +203,7 @@ PlacedCounts place_trees(const TreeFile& file, const ViewFrame& frame, PlacedObj
   constexpr double kHeight_m = 10;
   constexpr double kCrown = 0.6;
   constexpr double kClear = 0.2;
-  constexpr double kTrunk = 0.03;
+  constexpr double kTrunk = 0.2;  // around
   PlacedCounts counts{.features = file.file.features, .without_area = file.without_point};
   std::vector<glm::dvec2> places;
   for (const Tree& tree : file.trees) places.push_back(tree.place);
@@ -220,13 +221,14 @@ PlacedCounts place_trees(const TreeFile& file, const ViewFrame& frame, PlacedObj
     if (!tree.height_m) ++counts.default_height;
     const double width_m = tree.crown_m.value_or(kCrown * height_m);
     const double bottom_m = tree.min_height_m > 0 ? tree.min_height_m : kClear * height_m;
-    objects.objects.push_back(std::make_shared<Crown>(
-        CrownShape{.level = level_plane(terrain.frame(), places[i], ground->scene_height_m),
-                   .foot_m = -kFoundation_m,
-                   .bottom_m = bottom_m,
-                   .top_m = height_m,
-                   .radius_m = std::max(width_m, 0.01) / 2,
-                   .trunk_radius_m = kTrunk * width_m}));
+    objects.objects.push_back(std::make_shared<Crown>(CrownShape{
+        .level = level_plane(terrain.frame(), places[i], ground->scene_height_m),
+        .foot_m = -kFoundation_m,
+        .bottom_m = bottom_m,
+        .top_m = height_m,
+        .radius_m = std::max(width_m, 0.01) / 2,
+        .trunk_radius_m =
+            std::max(0.0, tree.trunk_m.value_or(kTrunk * width_m)) / (2 * std::numbers::pi)}));
     const std::int32_t id = objects.next_id - 1 + tree.number;
     objects.looks.push_back({id, tree.color.value_or(leaves()), bark()});
     objects.features.push_back({id, "tree", tree.number, tree.name, height_m});

@@ -19,7 +19,7 @@ enum class BuildingBase { lowest, mean, highest };
 struct BuildingOptions {
   BuildingBase base = BuildingBase::lowest;
   double default_height_m = 6;
-  std::optional<glm::vec3> color;  // linear, of every building
+  std::optional<glm::vec3> color = {};  // linear, of every building
   bool color_by_height = false;
 };
 

@@ -168,6 +168,8 @@ TreeFile read_trees(const std::string& path) {
     int unread = 0;
     tree.height_m = height_in(feature, {}, unread);
     tree.crown_m = length_in(feature, {"diameter_crown", "crown_m", "crown"});
+    tree.trunk_m = length_in(feature, {"circumference"});
+    if (tree.trunk_m) check_height(feature, *tree.trunk_m);
     if (tree.crown_m) check_height(feature, *tree.crown_m);
     tree.min_height_m = std::max(0.0, length_in(feature, {"min_height"}).value_or(0));
     tree.color = color_in(feature, {"colour", "color"});

@@ -52,6 +52,7 @@ struct Tree {
   glm::dvec2 place{0, 0};
   std::optional<double> height_m;
   std::optional<double> crown_m;  // across
+  std::optional<double> trunk_m;  // around; 0 = none
   double min_height_m = 0;        // where the crown begins
   std::optional<glm::vec3> color;
 };

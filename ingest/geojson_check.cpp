@@ -60,7 +60,7 @@ class Checker : public nlohmann::json_sax<Json> {
   }
 
   bool start_object(std::size_t /*size*/) override {
-    if (is_position()) refuse("an object among its coordinates");
+    if (is_position() || is_coordinates_member()) refuse("an object among its coordinates");
     begin_element();
     Level level{.is_array = false};
     if (!levels_.empty()) {
@@ -83,9 +83,9 @@ class Checker : public nlohmann::json_sax<Json> {
         if (levels_.back().numbers > 0) refuse("an array among the numbers of a position");
         ++levels_.back().arrays;
       }
-      const bool of_geometry = !levels_.empty() && levels_.back().is_geometry;
-      level.in_coordinates = is_position() || (of_geometry && key_ == "coordinates");
-      level.holds_geometries = of_geometry && key_ == "geometries";
+      level.in_coordinates = is_position() || is_coordinates_member();
+      level.holds_geometries =
+          !levels_.empty() && levels_.back().is_geometry && key_ == "geometries";
       if (is_geometry_member()) refuse("its geometry is an array, not an object");
     }
     return push(level);
@@ -136,6 +136,10 @@ class Checker : public nlohmann::json_sax<Json> {
   [[nodiscard]] bool is_geometry_member() const {
     return !levels_.empty() && levels_.back().is_feature && key_ == "geometry";
   }
+  // Whether it is a geometry's coordinates.
+  [[nodiscard]] bool is_coordinates_member() const {
+    return !levels_.empty() && levels_.back().is_geometry && key_ == "coordinates";
+  }
   [[nodiscard]] bool is_position() const {
     return !levels_.empty() && levels_.back().in_coordinates;
   }
@@ -149,9 +153,7 @@ class Checker : public nlohmann::json_sax<Json> {
       begin_element();
       refuse("is no object");
     }
-    const bool is_member = !levels_.empty() && levels_.back().is_geometry;
-    if (is_position() || (is_member && key_ == "coordinates"))
-      refuse("its coordinates are not all numbers");
+    if (is_position() || is_coordinates_member()) refuse("its coordinates are not all numbers");
     if (is_geometry_member()) refuse("its geometry is no object");
     return true;
   }

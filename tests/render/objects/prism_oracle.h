@@ -24,6 +24,7 @@ struct PrismOracle {
   std::function<double(glm::dvec2)> roof_m;
   double lowest_roof_m = 0;
   double highest_roof_m = 0;
+  int steps = 4000;  // through the heights of the roof
 
   [[nodiscard]] bool over_footprint(glm::dvec2 p) const {
     bool inside = false;
@@ -65,9 +66,8 @@ struct PrismOracle {
     all.push_back((base_m - height) / rise);
     const double low = std::min((lowest_roof_m - height) / rise, (highest_roof_m - height) / rise);
     const double high = std::max((lowest_roof_m - height) / rise, (highest_roof_m - height) / rise);
-    constexpr int kSteps = 4000;
-    for (int i = 0; i <= kSteps; ++i)
-      all.push_back(low - 1e-6 + (high - low + 2e-6) * i / double{kSteps});
+    for (int i = 0; i <= steps; ++i)
+      all.push_back(low - 1e-6 + (high - low + 2e-6) * i / static_cast<double>(steps));
     std::erase_if(all, [](double t) { return !(t >= 0); });
     std::sort(all.begin(), all.end());
     return all;
