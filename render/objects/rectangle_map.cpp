@@ -85,7 +85,7 @@ bool RectangleMap::build() {
   const auto& boxes = group_size_ > 1 ? group_boxes_ : boxes_;
   const RankedAxis x = rank_axis(ranges(boxes, 0));
   const RankedAxis y = rank_axis(ranges(boxes, 1));
-  constexpr std::size_t kMost = 32;
+  constexpr std::size_t kMost = 64;
   auto partition = cut_plane(x, y, kMost * (boxes_.size() + kMost));
   if (!partition) return false;
   tiles_ = link(*partition, x.lines, y.lines);
