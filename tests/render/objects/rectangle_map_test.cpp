@@ -153,6 +153,23 @@ TEST(RectangleMap, LooksAtFewRectanglesOfManyThatARayPassesOver) {
   EXPECT_LE(counts.steps, 20);
 }
 
+// The walls are where the map's cells of heights border on each other.
+TEST(RectangleMap, FindsWhatARayGrazesFarAhead) {
+  Objects objects;
+  for (int i = 0; i < 100; ++i) {
+    const glm::dvec3 low(10 * (i % 10), 10 * (i / 10), 0);
+    const double height_m = i == 95 ? 5 : 1;
+    objects.push_back(std::make_shared<BoxObject>(Box{low, low + glm::dvec3(10, 10, height_m)}));
+  }
+  const RectangleMap map(objects);
+  for (const double x : {50, 55, 60})
+    for (const double y : {-5, 105}) {
+      const Ray ray{{x, y, 3}, {0, y < 0 ? 1 : -1, 0}};
+      EXPECT_TRUE(map.stops(ray));
+      EXPECT_EQ(fault(map, ray), "");
+    }
+}
+
 TEST(RectangleMap, HoldsManyObjectsInOnePlace) {
   Objects objects;
   for (int i = 0; i < 3000; ++i) {
