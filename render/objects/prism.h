@@ -2,7 +2,7 @@
 //
 // It stands upright in the view frame: a plumb line has one ground point, so walls are exact. Base
 // and roof are planes of the plumb frame of its middle (level_plane.h says how far a level surface
-// is from one: a footprint 300 m across seen from 40 m is off by less than a tenth of a pixel of a
+// is from one: a footprint 300 m across seen from 60 m is off by less than a tenth of a pixel of a
 // picture 1920 wide that spans 60 degrees).
 //
 // Watertight: the line of a ray is inside the prism where it is above the polygon (polygon.h),

@@ -44,7 +44,7 @@ TEST(Crown, IsMetOnItsSurfaceWithinItsBoundsAndTheRay) {
   const Box box = tree.bounds();
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
-    const glm::dvec3 eye(10 + 30 * std::sin(i), 30 * std::cos(1.7 * i), 8 * std::sin(2.3 * i));
+    const glm::dvec3 eye(10 + 30 * std::sin(i), 30 * std::cos(i), 8 * std::sin(2.3 * i));
     const glm::dvec3 to(10 + 3 * std::cos(3.1 * i), 3 * std::sin(4.7 * i), 6 + 6 * std::sin(i));
     Ray ray{eye, to - eye};
     const auto hit = tree.first_hit(ray);
@@ -62,7 +62,7 @@ TEST(Crown, IsMetOnItsSurfaceWithinItsBoundsAndTheRay) {
     ray.length_m = hit->distance_m * (1 - 1e-12);
     EXPECT_FALSE(tree.stops(ray));
   }
-  EXPECT_GT(hits, 1000);
+  EXPECT_GT(hits, 700);
 }
 
 }  // namespace
