@@ -66,12 +66,12 @@ TEST_F(Output, NamedTwiceIsRefused) {
   EXPECT_EQ(outputs(), Names());
 }
 
-TEST_F(Output, IsNeverADemOfTheView) {
+TEST_F(Output, IsNeverAFileThatTheViewReads) {
   const std::string before = bytes("hills.tif");
   for (const char* option : {"-o", "--layers"})
     expect_refused(
         run(words("hills.tif --eye 48,7,+20 --overwrite") + Arguments{option, "./hills.tif"}),
-        {"hills.tif", "DEM"});
+        {"hills.tif", "read by this view"});
   EXPECT_TRUE(bytes("hills.tif") == before);
 }
 
