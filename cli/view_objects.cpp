@@ -43,6 +43,7 @@ void read_buildings(const ObjectOptions& options, const ViewFrame& frame, ViewOb
   check_any(file.file, counts);
   objects.messages.push_back(summary(file.file, counts, "buildings") +
                              counted(counts.without_area, "without an area") +
+                             counted(counts.upside_down, "no higher than their min_height") +
                              counted(file.unread_heights, "with a height that is no number") +
                              counted(file.unknown_roofs, "with an unknown roof, made flat"));
   add_warnings(file.file, objects);
@@ -53,7 +54,8 @@ void read_trees(const ObjectOptions& options, const ViewFrame& frame, ViewObject
   const PlacedCounts counts = place_trees(file, frame, objects.placed);
   check_any(file.file, counts);
   objects.messages.push_back(summary(file.file, counts, "trees") +
-                             counted(counts.without_area, "that are no points"));
+                             counted(counts.without_area, "that are no points") +
+                             counted(file.unread_heights, "with a height that is no number"));
   add_warnings(file.file, objects);
 }
 
@@ -103,9 +105,14 @@ void check_objects(const ObjectOptions& options) {
   const double height_m = options.placing.default_height_m;
   if (!(height_m > 0 && height_m <= 2000))
     throw InputError("--default-height: give metres above 0, up to 2000");
-  if (options.buildings.empty() &&
-      (!options.reading.height_field.empty() || !options.building_color.empty()))
-    throw InputError("--height, --building-color: belong to buildings: give --buildings too");
+  const BuildingOptions unset;
+  const bool for_buildings =
+      !options.reading.height_field.empty() || !options.building_color.empty() ||
+      options.placing.base != unset.base || height_m != unset.default_height_m;
+  if (options.buildings.empty() && for_buildings)
+    throw InputError(
+        "--height, --default-height, --base, --building-color: belong to buildings: give "
+        "--buildings too");
   if (!options.csv.empty() && options.buildings.empty() && options.trees.empty())
     throw InputError("--objects-csv: there are no objects: give --buildings or --trees");
 }

@@ -142,7 +142,11 @@ class BuildingPlacer {
   void place(const Footprint& footprint, std::vector<Polygon>& polygons, std::int32_t id,
              PlacedCounts& counts) {
     const double height_m =
-        std::max(footprint.height_m.value_or(options_.default_height_m), footprint.min_height_m);
+        footprint.height_m.value_or(footprint.min_height_m + options_.default_height_m);
+    if (height_m <= footprint.min_height_m) {
+      ++counts.upside_down;
+      return;
+    }
     ObjectLook look = look_of(footprint, height_m, options_);
     look.id = id;
     const std::size_t before = objects_.objects.size();

@@ -18,7 +18,7 @@ enum class BuildingBase { lowest, mean, highest };
 
 struct BuildingOptions {
   BuildingBase base = BuildingBase::lowest;
-  double default_height_m = 6;
+  double default_height_m = 6;  // over min_height
   std::optional<glm::vec3> color = {};  // linear, of every building
   bool color_by_height = false;
 };
@@ -39,6 +39,7 @@ struct PlacedCounts {
   int default_height = 0;  // of those placed
   int without_ground = 0;
   int without_area = 0;  // or without a polygon or point
+  int upside_down = 0;   // that begin where they end, or above
 };
 
 // Objects as they are collected, with what is known of them.

@@ -141,6 +141,8 @@ Footprint footprint_of(const VectorFeature& feature, const FootprintOptions& opt
 FootprintFile read_footprints(const std::string& path, const FootprintOptions& options) {
   FootprintFile result;
   result.file = read_vector_file(path, [&](const VectorFeature& feature) {
+    for (const std::string& field : {options.height_field, options.color_field})
+      if (!field.empty()) feature.require_field(field);
     Footprint footprint = footprint_of(feature, options, result);
     if (const OGRGeometry* geometry = feature.geometry())
       add_polygons(feature, *geometry, footprint.polygons);
@@ -165,13 +167,13 @@ TreeFile read_trees(const std::string& path) {
     tree.number = feature.number();
     tree.name = feature.text(Names{"name"}).value_or("");
     tree.place = checked(feature, geometry->toPoint()->getX(), geometry->toPoint()->getY());
-    int unread = 0;
-    tree.height_m = height_in(feature, {}, unread);
+    tree.height_m = height_in(feature, {}, result.unread_heights);
     tree.crown_m = length_in(feature, {"diameter_crown", "crown_m", "crown"});
     tree.trunk_m = length_in(feature, {"circumference"});
     if (tree.trunk_m) check_height(feature, *tree.trunk_m);
     if (tree.crown_m) check_height(feature, *tree.crown_m);
     tree.min_height_m = std::max(0.0, length_in(feature, {"min_height"}).value_or(0));
+    check_height(feature, tree.min_height_m);
     tree.color = color_in(feature, {"colour", "color"});
     result.trees.push_back(std::move(tree));
   });

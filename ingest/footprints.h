@@ -61,6 +61,7 @@ struct TreeFile {
   VectorFile file;
   std::vector<Tree> trees;  // of every point
   int without_point = 0;
+  int unread_heights = 0;
 };
 
 // Throws InputError.

@@ -74,11 +74,26 @@ std::optional<std::string> VectorFeature::text(std::span<const std::string_view>
   for (const std::string_view name : names) {
     for (int i = 0; i < feature_.GetFieldCount(); ++i) {
       if (!feature_.IsFieldSetAndNotNull(i)) continue;
-      if (same_name(feature_.GetFieldDefnRef(i)->GetNameRef(), name))
-        return feature_.GetFieldAsString(i);
+      if (!same_name(feature_.GetFieldDefnRef(i)->GetNameRef(), name)) continue;
+      std::string value = feature_.GetFieldAsString(i);
+      if (!value.empty()) return value;
     }
   }
   return std::nullopt;
+}
+
+void VectorFeature::require_field(std::string_view name) const {
+  constexpr int kMostNamed = 20;
+  std::string known;
+  for (int i = 0; i < feature_.GetFieldCount(); ++i) {
+    const std::string field = feature_.GetFieldDefnRef(i)->GetNameRef();
+    if (same_name(field, name)) return;
+    if (i < kMostNamed) known += (known.empty() ? "" : ", ") + field;
+    if (i == kMostNamed) known += ", ...";
+  }
+  refuse_file(file_, kAnyFeature,
+              "has no field '" + std::string(name) +
+                  "': " + (known.empty() ? "it has none" : "give one of " + known));
 }
 
 void VectorFeature::refuse(const std::string& what) const { refuse_file(file_, number_, what); }

@@ -25,9 +25,12 @@ class VectorFeature {
   // Null where the feature has none.
   [[nodiscard]] const OGRGeometry* geometry() const;
 
-  // The first of the fields named that is set and not null. Names match whatever their case, and
-  // whether they have ':' or '_'.
+  // The first of the fields named that is set, not null and not empty. Names match whatever their
+  // case, and whether they have ':' or '_'.
   [[nodiscard]] std::optional<std::string> text(std::span<const std::string_view> names) const;
+
+  // Throws InputError where features of this file have no such field.
+  void require_field(std::string_view name) const;
 
   // Throws InputError: 'file', feature N: what is wrong.
   [[noreturn]] void refuse(const std::string& what) const;

@@ -61,6 +61,17 @@ TEST_F(ObjectsOfView, AreCountedInTheSummary) {
                     "t.geojson: 1 features, 1 trees"}));
 }
 
+TEST_F(ObjectsOfView, ThatCannotBeSeenAsTheyAreAreCountedInTheSummary) {
+  write_text(path("u.geojson"), R"({"type":"FeatureCollection","features":[
+      {"type":"Feature","properties":{"height":10,"min_height":20},"geometry":{"type":"Polygon",
+       "coordinates":[[[360,200],[420,200],[420,240],[360,240],[360,200]]]}}]})");
+  write_text(path("v.geojson"), R"({"type":"FeatureCollection","features":[
+      {"type":"Feature","properties":{"height":"tall"},"geometry":{"type":"Point","coordinates":[500,250]}}]})");
+  EXPECT_TRUE(says(plain("--buildings u.geojson --trees v.geojson"),
+                   {"0 buildings", "1 no higher than their min_height",
+                    "1 trees (0 with a height, 1 without), 1 with a height that is no number"}));
+}
+
 TEST_F(ObjectsOfView, HaveTheirNumbersInLayersAndCsv) {
   plain("-q --buildings b.geojson --trees t.geojson --layers l.tif --objects-csv o.csv");
   const Layers found = layers("l.tif");
@@ -121,6 +132,10 @@ TEST_F(ObjectsOfView, ThatCannotBeAreRefusedInOneLine) {
   for (const auto& [options, said] : std::vector<std::pair<std::string, std::string>>{
            {"--objects-csv o.csv", "--objects-csv: there are no objects"},
            {"--height FIELD", "belong to buildings"},
+           {"--base max", "belong to buildings"},
+           {"--default-height 9", "belong to buildings"},
+           {"--buildings b.geojson --height stature", "has no field 'stature'"},
+           {"--buildings b.geojson --building-color 300,0,0", "has no field '300,0,0'"},
            {"--buildings nothere.geojson", "nothere.geojson"},
            {"--buildings plain.asc", "cannot be read as features"},
            {"--buildings b.geojson --default-height 0", "--default-height"},

@@ -154,6 +154,31 @@ TEST_F(Buildings, MayBeginAboveTheGround) {
   EXPECT_NEAR(box.highest_m.z - box.lowest_m.z, 10, 0.1);
 }
 
+TEST_F(Buildings, WithoutAHeightHaveTheDefaultOverTheirBeginning) {
+  Footprint footprint = house(20);
+  footprint.min_height_m = 20;
+  PlacedObjects objects;
+  const ViewFrame from = frame(48.02, 7.0, 2000);
+  EXPECT_EQ(place_buildings(file({footprint}), from, {}, objects).default_height, 1);
+  const Box box = objects.objects.at(0)->bounds();
+  EXPECT_NEAR(box.highest_m.z - box.lowest_m.z, 6, 0.1);
+  EXPECT_EQ(objects.features.at(0).height_m, 26);
+}
+
+TEST_F(Buildings, ThatEndWhereTheyBeginAreCounted) {
+  Footprint level = house(20, 1);
+  level.height_m = level.min_height_m = 20;
+  Footprint below = house(20, 2);
+  below.height_m = 10;
+  below.min_height_m = 20;
+  PlacedObjects objects;
+  const PlacedCounts counts =
+      place_buildings(file({level, below}), frame(48.02, 7.0, 2000), {}, objects);
+  EXPECT_EQ(counts.upside_down, 2);
+  EXPECT_EQ(counts.placed, 0);
+  EXPECT_TRUE(objects.objects.empty());
+}
+
 TEST_F(Buildings, KeepTheNumbersOfTheirFeatures) {
   Footprint far = house(20, 2);
   for (glm::dvec2& corner : far.polygons[0][0]) corner.x += 3;

@@ -75,6 +75,28 @@ TEST_F(Footprints, TakeTheirHeightsFromTheFieldNamed) {
   EXPECT_EQ(file.footprints[1].height_m, 3);
 }
 
+TEST_F(Footprints, AreRefusedWithoutTheFieldNamed) {
+  const std::string text = collection({feature(R"("height":5,"paint":null)")});
+  EXPECT_EQ(read(text, {.height_field = "HEIGHT", .color_field = "paint"}).footprints.size(), 1U);
+  for (const FootprintOptions& options :
+       {FootprintOptions{.height_field = "hieght", .color_field = {}},
+        FootprintOptions{.height_field = {}, .color_field = "300,0,0"}}) {
+    try {
+      static_cast<void>(read(text, options));
+      ADD_FAILURE() << options.height_field << options.color_field;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(says(error.what(), {options.height_field + options.color_field,
+                                      "f.geojson': has no field", "give one of height, paint"}));
+    }
+  }
+}
+
+TEST_F(Footprints, HaveNoHeightWhereItsTextIsEmpty) {
+  const FootprintFile file = read(collection({feature(R"("height_m":"","height":"7")")}));
+  EXPECT_EQ(file.footprints[0].height_m, 7);
+  EXPECT_EQ(file.unread_heights, 0);
+}
+
 TEST_F(Footprints, KeepEveryRingOfEveryPolygon) {
   const FootprintFile file = read(collection(
       {feature("", R"({"type":"MultiPolygon","coordinates":[
@@ -210,14 +232,18 @@ TEST_F(Footprints, OfTreesArePoints) {
   const auto point = [](const std::string& properties) {
     return feature(properties, R"({"type":"Point","coordinates":[7,48]})");
   };
-  const TreeFile file = read_trees(write(collection(
-      {point(R"("height":22,"diameter_crown":"9 m","min_height":3)"), feature(""), point("")})));
+  const TreeFile file =
+      read_trees(write(collection({point(R"("height":22,"diameter_crown":"9 m","min_height":3)"),
+                                   feature(""), point(R"("height":"tall")")})));
   ASSERT_EQ(file.trees.size(), 2U);
   EXPECT_EQ(file.trees[0].height_m, 22);
   EXPECT_EQ(file.trees[0].crown_m, 9);
   EXPECT_EQ(file.trees[0].min_height_m, 3);
   EXPECT_EQ(file.trees[1].number, 3);
   EXPECT_EQ(file.without_point, 1);
+  EXPECT_EQ(file.unread_heights, 1);
+  for (const char* giant : {R"("height":2001)", R"("diameter_crown":2001)", R"("min_height":2001)"})
+    EXPECT_THROW(static_cast<void>(read_trees(write(collection({point(giant)})))), InputError);
 }
 
 }  // namespace

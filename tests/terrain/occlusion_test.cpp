@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "tests/support/instruction_sets.h"
 #include "tests/support/judge.h"
@@ -165,6 +167,100 @@ TEST(Occluded, AnswersSoBelowTheEye) {
   }
   Answers answers;
   expect_answers_of_single_rays(terrain, rays, answers);
+  EXPECT_GT(answers.stopped, 1000);
+  EXPECT_GT(answers.free, 1000);
+}
+
+// A plain and a wall across it at one column, or row if `transposed`. Half of the wall has level
+// edges, and the posts of the other half stand at 0 and 3000 m by turns.
+class FarWall {
+ public:
+  FarWall(int wall, bool transposed)
+      : wall_(wall), transposed_(transposed), terrain_({layer()}, frame(), kModel) {}
+
+  [[nodiscard]] const Terrain& terrain() const { return terrain_; }
+
+  // A ray from the plain, out of any distance, to just above or below the wall's edge, often
+  // beside a post; some nearly level.
+  [[nodiscard]] Ray ray_over_edge(Random& random) const {
+    const int post = random.integer(1, kPosts - 3);
+    const double near = random.chance(0.5) ? random.uniform(0, 1) : random.log_uniform(1e-10, 1);
+    const double share = random.chance(0.5) ? near : 1 - near;
+    const double edge_m = post_m(post) + share * (post_m(post + 1) - post_m(post));
+    const double to_m = edge_m + random.sign() * random.log_uniform(1e-7, 10);
+    const double away = random.log_uniform(1e-3, kPosts - 200) * (wall_ > kPosts / 2 ? -1 : 1);
+    const bool level = away < -1 ? random.chance(0.3) : random.chance(0.6);
+    const double from_m = level ? std::max(1.0, to_m - random.log_uniform(1e-8, 1e-2)) : 1;
+    const glm::dvec3 from = place(wall_ + away, random.uniform(1, kPosts - 2), from_m);
+    const glm::dvec3 to = place(wall_, post + share, to_m);
+    return {.origin_m = from, .direction = glm::normalize(to - from)};
+  }
+
+ private:
+  static constexpr int kPosts = 1500;
+  static constexpr SurfaceModel kModel = SurfaceModel::hyperboloid;
+  static VerticalFrame frame() { return {.eye_height_m = 500}; }
+
+  static double post_m(int across) { return across < kPosts / 2 || across % 2 == 1 ? 3000 : 0; }
+
+  [[nodiscard]] TerrainLayer layer() const {
+    const auto height_m = [&](int column, int row) {
+      if (transposed_) std::swap(column, row);
+      return column == wall_ ? post_m(row) : 0.0;
+    };
+    return make_layer(make_grid(kPosts, kPosts, height_m),
+                      {.eye_uv = {5, 5}, .spacing_m = {30, 30}});
+  }
+
+  [[nodiscard]] glm::dvec3 place(double along, double across, double height_m) const {
+    const GroundMap& map = *terrain_.layers()[0].map;
+    const glm::dvec2 uv = transposed_ ? glm::dvec2(across, along) : glm::dvec2(along, across);
+    return {glm::inverse(*map.linear()) * (uv - map.to_grid({0, 0})),
+            height_m - frame().eye_height_m};
+  }
+
+  int wall_;
+  bool transposed_;
+  Terrain terrain_;
+};
+
+TEST(Occluded, AnswersSoAtTheEdgeOfAFarWall) {
+  Random random(11);
+  for (const auto& [wall, transposed] : {std::pair(1400, false), std::pair(100, true)}) {
+    const FarWall scene(wall, transposed);
+    std::vector<Ray> rays(30000);
+    for (Ray& ray : rays) ray = scene.ray_over_edge(random);
+    Answers answers;
+    expect_answers_of_single_rays(scene.terrain(), rays, answers);
+    EXPECT_GT(answers.stopped, 5000);
+    EXPECT_GT(answers.free, 5000);
+  }
+}
+
+// A plain with holes, and rays that go under it through them, past posts.
+TEST(Occluded, AnswersSoBesidePostsBetweenHoles) {
+  constexpr int kPosts = 40;
+  Random random(12);
+  Answers answers;
+  for (int i = 0; i < 50; ++i) {
+    const auto height_m = [&](int, int) { return random.chance(0.4) ? std::nan("") : 100.0; };
+    const Terrain terrain({make_layer(make_grid(kPosts, kPosts, height_m),
+                                      {.eye_uv = {20, 20}, .spacing_m = {30, 30}})},
+                          {.eye_height_m = 100}, SurfaceModel::hyperboloid);
+    std::vector<Ray> rays;
+    while (rays.size() < 3000) {
+      const double away_m = random.log_uniform(1, 300);
+      const double azimuth_rad = random.uniform(0, 6.3);
+      const auto beside_m = [&] { return random.sign() * random.log_uniform(1e-9, 1e-3); };
+      const glm::dvec3 to(30 * random.integer(-15, 15) + beside_m(),
+                          30 * random.integer(-15, 15) + beside_m(), -random.log_uniform(0.01, 10));
+      const glm::dvec3 from(to.x + away_m * std::sin(azimuth_rad),
+                            to.y + away_m * std::cos(azimuth_rad), random.log_uniform(0.01, 10));
+      if (!terrain.ground_at({from.x, from.y})) continue;
+      rays.push_back({.origin_m = from, .direction = glm::normalize(to - from)});
+    }
+    expect_answers_of_single_rays(terrain, rays, answers);
+  }
   EXPECT_GT(answers.stopped, 1000);
   EXPECT_GT(answers.free, 1000);
 }
