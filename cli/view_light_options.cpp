@@ -97,6 +97,9 @@ void add_light_options(CLI::App& app, ViewOptions& options) {
   app.add_option("--colors", options.colors,
                  "Colours by altitude: gdaldem color-relief text or a QGIS colour map")
       ->type_name("FILE");
+  app.add_option("--drape", options.drape,
+                 "A georeferenced picture over the ground: anything GDAL opens with 8 or 16 bits")
+      ->type_name("IMAGE");
   add_air_options(app, options.air);
 }
 

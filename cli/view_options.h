@@ -98,6 +98,7 @@ struct ViewOptions {
   ObjectOptions objects;
   SamplingOptions sampling;
   std::string colors;
+  std::string drape;
   int threads = 0;
 
   PaletteOptions palette;

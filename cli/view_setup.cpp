@@ -12,6 +12,7 @@
 #include "cli/view_light.h"
 #include "cli/view_sky.h"
 #include "ingest/color_ramp_file.h"
+#include "ingest/drape_file.h"
 #include "render/sky_light.h"
 #include "terrain/error.h"
 
@@ -92,7 +93,8 @@ void check_curved(const ViewOptions& options, const Dem& dem) {
                      "--a-srs EPSG:CODE");
 }
 
-Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPosition& sun) {
+Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPosition& sun,
+                 const std::vector<Dem>& dems) {
   Scene scene;
   scene.terrain = frame.terrain();
   scene.normals = options.normals;
@@ -106,6 +108,8 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
   if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
   if (!options.colors.empty())
     scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
+  if (!options.drape.empty())
+    scene.drape = read_drape(options.drape, dems, options.dem.memory_bytes);
   return scene;
 }
 
@@ -166,7 +170,7 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   const ResolvedView resolved = resolve_view(options, frame, dems);
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
-  Scene scene = make_scene(options, frame, sun);
+  Scene scene = make_scene(options, frame, sun, dems);
   const Camera camera = make_camera(resolved);
   scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
   ViewObjects objects = read_objects(options.objects, frame);

@@ -1,15 +1,13 @@
 #include "ingest/dem_plan.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <sstream>
 #include <utility>
 
 #include "ingest/dem_crs.h"
 #include "ingest/dem_source.h"
+#include "ingest/memory_limit.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -81,22 +79,9 @@ std::vector<Tile> to_tiles(const std::vector<DemPart>& parts) {
   return tiles;
 }
 
-double half_of_memory_bytes() {
-  return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-std::string mebibytes(double bytes) {
-  std::ostringstream text;
-  text.precision(0);
-  text << std::fixed << std::ceil(bytes / (1 << 20)) << " MiB";
-  return text.str();
-}
-
 void check_sizes(const std::vector<Mosaic>& mosaics, const std::vector<DemPart>& parts,
                  const DemOptions& options) {
-  const double limit =
-      options.memory_bytes > 0 ? static_cast<double>(options.memory_bytes) : half_of_memory_bytes();
+  const double limit = memory_limit_bytes(options.memory_bytes);
   constexpr double kPost_bytes = sizeof(float) + 0.375;  // and three bits to find voids
   double needed = 0;
   for (const Mosaic& mosaic : mosaics) {

@@ -48,12 +48,14 @@ inline constexpr double kExtinctionTimesVisibility = 3.912;
 
 enum class NormalKind { smooth, facet };
 
+class Drape;
 class PaintedSky;
 struct SceneObjects;
 
 struct Scene {
   std::shared_ptr<const Terrain> terrain;
   ColorRamp tints = altitude_tints();
+  std::shared_ptr<const Drape> drape;  // over the tints; none: the tints alone
   NormalKind normals = NormalKind::smooth;
   std::shared_ptr<const GroundDetail> detail;  // none: every pixel sees a point of the ground
   // How much of the sky each layer's posts see, which dims the ambient light; none: all of it.

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/air.h"
+#include "render/drape.h"
 #include "render/objects/level_plane.h"
 #include "render/objects/prism.h"
 #include "render/objects/scene_objects.h"
@@ -23,6 +24,15 @@ GroundDetail::Ground exact_ground(const Scene& scene, const Hit& hit) {
           frame.at(glm::dvec2(hit.position_m)).scene_height_m(hit.position_m.z) / frame.z_scale};
 }
 
+// The ground's own colour, as a pixel `width_m` wide sees it.
+glm::vec3 ground_color(const Scene& scene, const Ray& ray, const Hit& hit, double width_m,
+                       const GroundDetail::Ground& ground) {
+  const glm::vec3 tint = scene.tints.at(ground.height_m);
+  if (!scene.drape) return tint;
+  return scene.drape->over(tint, *scene.terrain, ray, hit, scene.detail ? width_m : 0,
+                           ground.normal);
+}
+
 // Fills in the normals, and as clear colours those of the ground, and returns N . L of each hit: 0
 // where the ground turns away from the sun, or the sun is below the local horizon.
 std::vector<float> face_sun(const Scene& scene, const PixelWidth& pixel, std::span<const Ray> rays,
@@ -32,11 +42,11 @@ std::vector<float> face_sun(const Scene& scene, const PixelWidth& pixel, std::sp
     if (!hits[i]) continue;
     shaded[i].distance_m = static_cast<float>(glm::distance(hits[i]->position_m, rays[i].origin_m));
     GroundDetail::Ground ground = exact_ground(scene, *hits[i]);
+    const double width_m = pixel.at(shaded[i].distance_m);
     if (scene.detail)
-      ground = scene.detail->seen(*scene.terrain, rays[i], *hits[i], pixel.at(shaded[i].distance_m),
-                                  ground);
+      ground = scene.detail->seen(*scene.terrain, rays[i], *hits[i], width_m, ground);
     shaded[i].normal = ground.normal;
-    shaded[i].clear = scene.tints.at(ground.height_m);
+    shaded[i].clear = ground_color(scene, rays[i], *hits[i], width_m, ground);
     const glm::dvec3 to_sun =
         local_direction(scene.terrain->frame(), hits[i]->position_m, scene.light.towards_sun);
     const double facing = glm::dot(glm::dvec3(shaded[i].normal), to_sun);

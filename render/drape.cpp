@@ -1,0 +1,42 @@
+#include "render/drape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace terrview {
+namespace {
+
+constexpr double kLongest = 256;
+
+}  // namespace
+
+glm::dmat2 footprint(const glm::dvec3& ray_direction, const glm::dvec3& normal) {
+  const glm::dvec3 away = glm::normalize(ray_direction);
+  const double facing = std::copysign(std::max(std::abs(glm::dot(away, normal)), 1 / kLongest),
+                                      glm::dot(away, normal));
+  const glm::dvec3 aside = std::abs(away.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 across = glm::normalize(glm::cross(away, aside));
+  const auto on_ground = [&](const glm::dvec3& side) {
+    return glm::dvec2(side - away * (glm::dot(side, normal) / facing));
+  };
+  return {on_ground(across), on_ground(glm::cross(across, away))};
+}
+
+Drape::Drape(PicturePyramid picture, std::vector<std::shared_ptr<const PixelMap>> maps)
+    : picture_(std::move(picture)), maps_(std::move(maps)) {}
+
+glm::vec3 Drape::over(const glm::vec3& color, const Terrain& terrain, const Ray& ray,
+                      const Hit& hit, double width_m, const glm::dvec3& normal) const {
+  const auto layer = static_cast<std::size_t>(hit.grid);
+  const PixelMap& map = *maps_[layer];
+  const glm::dmat2 sides_px = map.jacobian(hit.uv) *
+                              terrain.layers()[layer].map->jacobian(glm::dvec2(hit.position_m)) *
+                              (width_m * footprint(ray.direction, normal));
+  const glm::vec4 seen = picture_.mean(map.to_pixels(hit.uv), sides_px);
+  return glm::vec3(seen) + (1 - seen.a) * color;
+}
+
+}  // namespace terrview

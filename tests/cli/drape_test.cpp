@@ -1,0 +1,89 @@
+// --drape: docs/cli.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "tests/cli/small_picture.h"
+#include "tests/cli/small_view.h"
+
+namespace terrview {
+namespace {
+
+class DrapeOfView : public SmallView {
+ protected:
+  // Blue in the west, red in the east of 7 E, over the hills; in Web Mercator.
+  DrapeOfView() {
+    TestRaster raster;
+    raster.columns = 400;
+    raster.rows = 60;
+    raster.bands = 3;
+    raster.type = GDT_Byte;
+    raster.number = [](int, int) { return 0; };
+    raster.change = [](GDALDataset& file) {
+      std::vector<std::uint8_t> row(400, 0);
+      std::fill(row.begin(), row.begin() + 200, 220);
+      for (const int band : {3, 2, 1}) {
+        for (int line = 0; line < 60; ++line)
+          ASSERT_EQ(file.GetRasterBand(band)->RasterIO(GF_Write, 0, line, 400, 1, row.data(), 400,
+                                                       1, GDT_Byte, 0, 0, nullptr),
+                    CE_None);
+        if (band == 3) std::fill(row.begin(), row.end(), 10);
+        if (band == 2) std::fill(row.begin() + 200, row.end(), 220);
+      }
+    };
+    raster.geotransform = {{779236.435552915 - 200 * 20, 20, 0, 6106855 + 3000, 0, -100}};
+    raster.crs = "EPSG:3857";
+    raster.write(path("halves.tif"));
+  }
+
+  void view_down(const std::string& options) const {
+    view(
+        "--eye 48,7,9000 --heading 0 --pitch -90 --fov 12 --size 64x48 --visibility inf "
+        "--no-shadows --samples 1 --overwrite " +
+        options);
+  }
+
+  [[nodiscard]] nlohmann::json said_in(const std::string& name) const {
+    const GDALDatasetUniquePtr picture(GDALDataset::Open(path(name).c_str()));
+    const char* text = picture ? picture->GetMetadataItem("terrview_view") : nullptr;
+    return text ? nlohmann::json::parse(text) : nlohmann::json();
+  }
+};
+
+TEST_F(DrapeOfView, ColorsTheGroundWhereItLies) {
+  view_down("--drape halves.tif -o seen.png");
+  const ReadPicture seen = read_picture(path("seen.png"));
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 64; ++column) {
+      if (column == 31 || column == 32) continue;
+      const glm::ivec4 color = seen.colors[static_cast<std::size_t>(row * 64 + column)];
+      EXPECT_EQ(color.b > color.r, column < 32) << column << ' ' << row;
+    }
+  EXPECT_EQ(said_in("seen.png").at("drape"), "halves.tif");
+}
+
+TEST_F(DrapeOfView, IsTheSameForAnyNumberOfThreads) {
+  view_down("--drape halves.tif --threads 1 -o one.png");
+  view_down("--drape halves.tif --threads 3 -o three.png");
+  EXPECT_EQ(bytes("one.png"), bytes("three.png"));
+}
+
+TEST_F(DrapeOfView, ThatTheViewReadsIsNeverWritten) {
+  const std::string before = bytes("halves.tif");
+  expect_refused(
+      run(words("hills.tif --eye 48,7,9000 --drape halves.tif -o halves.tif --overwrite")),
+      {"halves.tif", "is read by this view"});
+  EXPECT_EQ(bytes("halves.tif"), before);
+}
+
+TEST_F(DrapeOfView, ThatIsNoPictureIsRefused) {
+  expect_refused(run(words("hills.tif -q --eye 48,7,9000 --drape hills.tif -o a.png")),
+                 {"hills.tif", "Float32", "8 or 16 bits"});
+  expect_refused(run(words("hills.tif -q --eye 48,7,9000 --drape none.tif -o a.png")),
+                 {"none.tif", "cannot be opened"});
+}
+
+}  // namespace
+}  // namespace terrview
