@@ -171,8 +171,8 @@ TEST(Occluded, AnswersSoBelowTheEye) {
   EXPECT_GT(answers.free, 1000);
 }
 
-// A plain and a wall across it at one column, or row if `transposed`. Half of the wall has level
-// edges, and the posts of the other half stand at 0 and 3000 m by turns.
+// A plain and a wall across it, two columns thick, or rows if `transposed`. Half of the wall has
+// level edges, and the posts of the other half stand at 0 or 3000 m, with cliffs between them.
 class FarWall {
  public:
   FarWall(int wall, bool transposed)
@@ -186,7 +186,7 @@ class FarWall {
     const int post = random.integer(1, kPosts - 3);
     const double near = random.chance(0.5) ? random.uniform(0, 1) : random.log_uniform(1e-10, 1);
     const double share = random.chance(0.5) ? near : 1 - near;
-    const double edge_m = post_m(post) + share * (post_m(post + 1) - post_m(post));
+    const double edge_m = post_m(post, 0) + share * (post_m(post + 1, 0) - post_m(post, 0));
     const double to_m = edge_m + random.sign() * random.log_uniform(1e-7, 10);
     const double away = random.log_uniform(1e-3, kPosts - 200) * (wall_ > kPosts / 2 ? -1 : 1);
     const bool level = away < -1 ? random.chance(0.3) : random.chance(0.6);
@@ -201,12 +201,15 @@ class FarWall {
   static constexpr SurfaceModel kModel = SurfaceModel::hyperboloid;
   static VerticalFrame frame() { return {.eye_height_m = 500}; }
 
-  static double post_m(int across) { return across < kPosts / 2 || across % 2 == 1 ? 3000 : 0; }
+  static double post_m(int across, int behind) {
+    return across < kPosts / 2 || (across * 7 + behind * 3) % 5 < 3 ? 3000 : 0;
+  }
 
   [[nodiscard]] TerrainLayer layer() const {
     const auto height_m = [&](int column, int row) {
       if (transposed_) std::swap(column, row);
-      return column == wall_ ? post_m(row) : 0.0;
+      const int behind = column - wall_;
+      return behind == 0 || behind == 1 ? post_m(row, behind) : 0.0;
     };
     return make_layer(make_grid(kPosts, kPosts, height_m),
                       {.eye_uv = {5, 5}, .spacing_m = {30, 30}});
@@ -232,8 +235,8 @@ TEST(Occluded, AnswersSoAtTheEdgeOfAFarWall) {
     for (Ray& ray : rays) ray = scene.ray_over_edge(random);
     Answers answers;
     expect_answers_of_single_rays(scene.terrain(), rays, answers);
-    EXPECT_GT(answers.stopped, 5000);
-    EXPECT_GT(answers.free, 5000);
+    EXPECT_GT(answers.stopped, 4000);
+    EXPECT_GT(answers.free, 4000);
   }
 }
 
