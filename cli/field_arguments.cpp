@@ -1,8 +1,11 @@
 #include "cli/field_arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
+
+#include <nlohmann/json.hpp>
 
 #include "cli/parse.h"
 #include "terrain/error.h"
@@ -11,6 +14,21 @@ namespace terrview {
 namespace {
 
 constexpr const char* kHForm = "give H from -1 to 2, or H,N:H,... with N the division it begins at";
+
+const std::map<std::string, FieldKind> kKinds{{"midpoint", FieldKind::midpoint},
+                                              {"displaced", FieldKind::displaced},
+                                              {"smooth", FieldKind::smooth}};
+const std::map<std::string, Law> kLaws{{"gaussian", Law::gaussian},
+                                       {"uniform", Law::uniform},
+                                       {"laplace", Law::laplace},
+                                       {"coin", Law::coin}};
+
+template <class Value>
+std::string name_of(const std::map<std::string, Value>& names, Value value) {
+  return std::find_if(names.begin(), names.end(),
+                      [&](const auto& entry) { return entry.second == value; })
+      ->first;
+}
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text,
                          const std::string& remedy) {
@@ -81,23 +99,24 @@ void add_field_options(CLI::App& app, FieldOptions& options) {
          "--levels", [&](const std::string& text) { options.levels = parse_levels(text); },
          "Divisions of a root cell, along x and y")
       ->type_name("N|NX:NY");
-  static const std::map<std::string, FieldKind> kKinds{{"midpoint", FieldKind::midpoint},
-                                                       {"displaced", FieldKind::displaced},
-                                                       {"smooth", FieldKind::smooth}};
   app.add_option_function<std::string>(
          "--field", [&](const std::string& text) { options.kind = kKinds.at(text); },
          "How a cell is divided: the middles displaced, every vertex, or without creases")
       ->check(CLI::IsMember(kKinds))
       ->type_name("midpoint|displaced|smooth");
-  static const std::map<std::string, Law> kLaws{{"gaussian", Law::gaussian},
-                                                {"uniform", Law::uniform},
-                                                {"laplace", Law::laplace},
-                                                {"coin", Law::coin}};
   app.add_option_function<std::string>(
          "--law", [&](const std::string& text) { options.law = kLaws.at(text); },
          "The draws' law (default gaussian)")
       ->check(CLI::IsMember(kLaws))
       ->type_name("gaussian|uniform|laplace|coin");
+}
+
+nlohmann::ordered_json field_json(const FieldOptions& options) {
+  return {{"seed", options.seed},
+          {"levels", {options.levels.x, options.levels.y}},
+          {"h", options.h},
+          {"kind", name_of(kKinds, options.kind)},
+          {"law", name_of(kLaws, options.law)}};
 }
 
 }  // namespace terrview

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "sky/random_field.h"
 
@@ -22,5 +23,8 @@ namespace terrview {
 
 // --seed, --h, --levels, --field and --law.
 void add_field_options(CLI::App& app, FieldOptions& options);
+
+// What they have become, as a picture says of itself.
+[[nodiscard]] nlohmann::ordered_json field_json(const FieldOptions& options);
 
 }  // namespace terrview

@@ -3,9 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <utility>
+
+#include "cli/interrupt.h"
+#include "render/parallel.h"
 
 namespace terrview {
 namespace {
@@ -42,6 +46,15 @@ void ProgressBar::report(double share) {
                std::string(static_cast<std::size_t>(kWidth - filled), ' ').c_str(), percent,
                left_s);
   std::fflush(stderr);
+}
+
+void parallel_for(int count, int threads, ProgressBar& bar, const std::function<void(int)>& work) {
+  std::atomic<int> done = 0;
+  parallel_for(count, threads, [&](int index) {
+    check_interrupt();
+    work(index);
+    bar.report(static_cast<double>(++done) / count);
+  });
 }
 
 }  // namespace terrview

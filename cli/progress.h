@@ -1,6 +1,7 @@
 // A progress bar on standard error, in the manner of GDAL's.
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <string>
 
@@ -24,6 +25,10 @@ class ProgressBar {
   std::mutex mutex_;
   int drawn_percent_ = -1;
 };
+
+// parallel_for() that shows how far it is and can be interrupted.
+void parallel_for(int count, int threads, ProgressBar& bar,
+                  const std::function<void(int index)>& work);
 
 // Whether standard error is a terminal.
 [[nodiscard]] bool stderr_is_terminal();

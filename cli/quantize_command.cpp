@@ -8,8 +8,8 @@
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
+#include "cli/output_options.h"
 #include "cli/palette_file.h"
-#include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/quantize_options.h"
 #include "ingest/gdal_scope.h"
@@ -30,17 +30,8 @@ struct CommandOptions {
   PaletteOptions palette;
   IndexedFileOptions file;
   bool overwrite = false;
-  bool quiet = false;
-  bool progress = false;
-
-  [[nodiscard]] bool bar_shown() const { return !quiet && (progress || stderr_is_terminal()); }
+  BarOptions bar;
 };
-
-bool same_place(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
-  return std::filesystem::absolute(a).lexically_normal() ==
-         std::filesystem::absolute(b).lexically_normal();
-}
 
 CommandOptions parse_quantize(const std::vector<std::string>& args) {
   CommandOptions options;
@@ -51,20 +42,9 @@ CommandOptions parse_quantize(const std::vector<std::string>& args) {
       ->type_name("FILE");
   add_palette_options(app, "--colors", options.palette);
   add_method_options(app, options.palette);
-  app.add_option("--of", options.file.format, "Picture format, if not by extension");
-  app.add_option_function<std::vector<std::string>>(
-         "--co",
-         [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts)
-             options.file.creation.insert(parse_creation_option(text));
-         },
-         "GDAL's creation option of the format")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all();
+  add_format_options(app, options.file.format, options.file.creation, "GDAL's of the format");
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
-  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
-  app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");
+  add_bar_options(app, options.bar);
   app.parse_args(args);
   check_palette_options(options.palette);
   check_indexed_file(options.output, options.file);
@@ -160,7 +140,7 @@ void write_picture(const PictureSource& source, const Quantizer& quantizer,
   Rewriter rewriter(quantizer.palette, quantizer.find, options.palette.dither, source.size_px().x);
   std::vector<std::uint16_t> indices;
   {
-    Lines lines(source, "rewriting", options.bar_shown());
+    Lines lines(source, "rewriting", options.bar.shown());
     while (lines.next()) {
       indices.resize(width * static_cast<std::size_t>(lines.count()));
       for (int i = 0; i < lines.count(); ++i)
@@ -169,7 +149,7 @@ void write_picture(const PictureSource& source, const Quantizer& quantizer,
       file.write(lines.first_line(), indices);
     }
   }
-  ProgressBar bar("completing", options.bar_shown());
+  ProgressBar bar("completing", options.bar.shown());
   file.finish([&](double share) {
     check_interrupt();
     bar.report(share);
@@ -187,7 +167,7 @@ int run_quantize(const std::vector<std::string>& args) {
   Quantizer quantizer;
   {
     const ColorCounts counts =
-        needs_counts(options.palette) ? count_colors(source, options.bar_shown()) : ColorCounts();
+        needs_counts(options.palette) ? count_colors(source, options.bar.shown()) : ColorCounts();
     quantizer = choose_palette(counts, options.palette, source.has_mask());
   }
   picture->fill([&](const std::string& path) { write_picture(source, quantizer, options, path); });
@@ -197,7 +177,7 @@ int run_quantize(const std::vector<std::string>& args) {
     palette->commit();
   }
   picture->commit();
-  if (!options.quiet)
+  if (!options.bar.quiet)
     std::fprintf(stderr, "wrote %s: %zu colours%s\n", options.output.c_str(),
                  quantizer.palette.size(), source.has_mask() ? " and nodata" : "");
   return 0;

@@ -1,16 +1,20 @@
 #include "cli/sky_command.h"
 
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
 
 #include "cli/color_table_file.h"
 #include "cli/command_line.h"
 #include "cli/field_arguments.h"
-#include "cli/interrupt.h"
 #include "cli/output_file.h"
+#include "cli/output_options.h"
 #include "cli/parse.h"
 #include "cli/sky_view.h"
 #include "render/image_file.h"
-#include "render/parallel.h"
 #include "render/write_file.h"
 #include "sky/flat_sky.h"
 #include "terrain/error.h"
@@ -27,10 +31,11 @@ struct SkyCommand {
   double clouds = 0.35;
   std::string ramp = "sky";
   std::optional<double> noise;
-  std::string output = "sky.png";
+  std::string output;
+  ImageFileOptions file;
   std::string ramp_output;
   bool overwrite = false;
-  bool quiet = false;
+  BarOptions bar;
   int threads = 0;
 };
 
@@ -73,11 +78,13 @@ void add_color_options(CLI::App& app, SkyCommand& options) {
 }
 
 void add_output_options(CLI::App& app, SkyCommand& options) {
-  app.add_option("-o,--output", options.output, "png, jpg, tif, exr, webp, ppm or pnm");
+  app.add_option("-o,--output", options.output, "png, jpg, tif, exr, webp, ppm or pnm (sky.png)");
+  add_format_options(app, options.file.format, options.file.creation,
+                     "QUALITY, ZLEVEL or COMPRESS");
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
   app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
       ->check(CLI::Range(1, 4096));
-  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
+  add_bar_options(app, options.bar);
 }
 
 SkyCommand parse_sky(const std::vector<std::string>& args) {
@@ -96,12 +103,13 @@ SkyCommand parse_sky(const std::vector<std::string>& args) {
   if (size.x < 1 || size.y < 1 || size.x > kLargestSide_px || size.y > kLargestSide_px)
     throw InputError("--size: give a width and height from 1 to " +
                      std::to_string(kLargestSide_px));
+  if (options.output.empty()) options.output = "sky" + usual_extension(options.file.format);
   options.flat.table = find_color_table(options.ramp, options.clouds);
   if (options.noise) options.flat.table.noise = *options.noise;
   return options;
 }
 
-Image paint_in_perspective(SkyCommand options) {
+Image paint_in_perspective(SkyCommand options, ProgressBar& bar) {
   const FieldOptions& field = options.flat.field;
   if (field.levels.x != field.levels.y)
     throw InputError("--levels: in perspective both axes have the same: give one number");
@@ -109,37 +117,69 @@ Image paint_in_perspective(SkyCommand options) {
   options.view.sky.clouds.emplace();
   options.view.sky.clouds->field = field;
   options.view.sky.clouds->table = options.flat.table;
-  return paint_sky_view(options.view, options.threads);
+  return paint_sky_view(options.view, options.threads, bar);
 }
 
-Image paint_flat(const SkyCommand& options) {
+Image paint_flat(const SkyCommand& options, ProgressBar& bar) {
   Image image(options.flat.size_px.x, options.flat.size_px.y);
   const FlatSky sky(options.flat);
   const glm::ivec2 tiles = sky.tiles();
-  parallel_for(tiles.x * tiles.y, options.threads, [&](int index) {
-    check_interrupt();
+  parallel_for(tiles.x * tiles.y, options.threads, bar, [&](int index) {
     sky.paint({index % tiles.x, index / tiles.x}, image);
   });
   return image;
+}
+
+std::string sky_metadata(const SkyCommand& options) {
+  nlohmann::ordered_json json;
+  json["program"] = std::string("terrview ") + kVersion;
+  json["field"] = field_json(options.flat.field);
+  json["table"] = nlohmann::ordered_json::parse(color_table_json(options.flat.table));
+  if (options.is_flat)
+    json["flat"] = {{"cells", {options.flat.cells.x, options.flat.cells.y}},
+                    {"origin", {options.flat.origin.x, options.flat.origin.y}}};
+  else
+    json["view"] = sky_view_json(options.view);
+  return json.dump();
+}
+
+// Throws InputError for a name that is the table's that is read.
+std::unique_ptr<OutputFile> claim(const std::string& path, const SkyCommand& options) {
+  if (path.empty()) return nullptr;
+  std::error_code not_both_exist;
+  const bool from_file = options.ramp != "sky" && !named_table(options.ramp);
+  if (from_file && std::filesystem::equivalent(path, options.ramp, not_both_exist))
+    throw InputError("'" + path + "': is an input: write to another file");
+  return std::make_unique<OutputFile>(path, options.overwrite);
+}
+
+Image paint(const SkyCommand& options) {
+  ProgressBar bar("painting", options.bar.shown());
+  return options.is_flat ? paint_flat(options, bar) : paint_in_perspective(options, bar);
 }
 
 }  // namespace
 
 int run_sky(const std::vector<std::string>& args) {
   const SkyCommand options = parse_sky(args);
-  check_image_file(options.output, options.flat.size_px, {});
-  OutputFile picture(options.output, options.overwrite);
-  if (!options.ramp_output.empty()) {
-    OutputFile ramp(options.ramp_output, options.overwrite);
-    ramp.fill([&](const std::string& path) {
+  check_image_file(options.output, options.flat.size_px, options.file);
+  if (same_place(options.output, options.ramp_output))
+    throw InputError("'" + options.output +
+                     "': named for two outputs: give each a name of its own");
+  const auto picture = claim(options.output, options);
+  const auto ramp = claim(options.ramp_output, options);
+  const Image image = paint(options);
+  ImageFileOptions to_file = options.file;
+  to_file.metadata["terrview:sky"] = sky_metadata(options);
+  picture->fill([&](const std::string& path) { write_image(path, image, to_file); });
+  if (ramp) {
+    ramp->fill([&](const std::string& path) {
       write_file(path, color_table_json(options.flat.table) + "\n");
     });
-    ramp.commit();
+    ramp->commit();
   }
-  const Image image = options.is_flat ? paint_flat(options) : paint_in_perspective(options);
-  picture.fill([&](const std::string& path) { write_image(path, image, {}); });
-  picture.commit();
-  if (!options.quiet) std::fprintf(stderr, "wrote %s\n", picture.path().c_str());
+  picture->commit();
+  if (!options.bar.quiet) std::fprintf(stderr, "wrote %s\n", picture->path().c_str());
   return 0;
 }
 

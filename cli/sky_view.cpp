@@ -6,10 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include "cli/interrupt.h"
+#include <nlohmann/json.hpp>
+
 #include "cli/parse.h"
 #include "render/painted_sky.h"
-#include "render/parallel.h"
 #include "sky/sun.h"
 #include "terrain/error.h"
 
@@ -101,13 +101,12 @@ void add_sky_view_options(CLI::App& app, SkyView& view, bool& flat) {
   add_light_options(app, view);
 }
 
-Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads) {
+Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads, ProgressBar& bar) {
   constexpr int kSide_px = CloudPainter::kWindow_px;
   const SkyPainter painter(sky, camera);
   Image image(camera.size_px.x, camera.size_px.y);
   const glm::ivec2 windows = (camera.size_px + (kSide_px - 1)) / kSide_px;
-  parallel_for(windows.x * windows.y, threads, [&](int index) {
-    check_interrupt();
+  parallel_for(windows.x * windows.y, threads, bar, [&](int index) {
     PixelWindow window;
     window.first_px = kSide_px * glm::ivec2(index % windows.x, index / windows.x);
     window.size_px = {std::min(kSide_px, camera.size_px.x - window.first_px.x),
@@ -122,13 +121,31 @@ Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads) {
   return image;
 }
 
-Image paint_sky_view(const SkyView& view, int threads) {
+Image paint_sky_view(const SkyView& view, int threads, ProgressBar& bar) {
   const Camera camera(view.camera);
   SkyOptions sky = view.sky;
   sky.clear.towards_sun =
       towards({view.sun_azimuth_deg * kRadians, view.sun_elevation_deg * kRadians});
   if (sky.clouds) sky.clouds->layer = view.layer;
-  return paint_sky(sky, sky_camera(camera), threads);
+  return paint_sky(sky, sky_camera(camera), threads, bar);
+}
+
+nlohmann::ordered_json sky_view_json(const SkyView& view) {
+  const CameraOptions& camera = view.camera;
+  nlohmann::ordered_json json;
+  json["projection"] = camera.projection == Projection::cylindrical ? "cylindrical" : "perspective";
+  json["heading"] = camera.heading_rad / kRadians;
+  json["pitch"] = camera.pitch_rad / kRadians;
+  json["roll"] = camera.roll_rad / kRadians;
+  json["fov"] = camera.fov_rad / kRadians;
+  json["sun"] = {{"azimuth", view.sun_azimuth_deg}, {"elevation", view.sun_elevation_deg}};
+  json["model"] = view.sky.clear.model == SkyModel::gradient ? "gradient" : "preetham";
+  json["turbidity"] = view.sky.clear.turbidity;
+  json["altitude_m"] = view.layer.height_m;
+  json["cell_m"] = view.layer.cell_m;
+  json["layer"] = view.layer.curvature_per_m == 0 ? "plane" : "shell";
+  json["leaf_px"] = view.sky.leaf_px;
+  return json;
 }
 
 }  // namespace terrview

@@ -4,7 +4,9 @@
 #include <optional>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
 
+#include "cli/progress.h"
 #include "render/camera.h"
 #include "render/image.h"
 #include "sky/sky_painter.h"
@@ -24,9 +26,13 @@ struct SkyView {
 void add_sky_view_options(CLI::App& app, SkyView& view, bool& flat);
 
 // The whole sky of a camera; the same bytes for any number of threads.
-[[nodiscard]] Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads);
+[[nodiscard]] Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads,
+                              ProgressBar& bar);
 
 // Throws InputError for a view that no camera has.
-[[nodiscard]] Image paint_sky_view(const SkyView& view, int threads);
+[[nodiscard]] Image paint_sky_view(const SkyView& view, int threads, ProgressBar& bar);
+
+// What the options have become, as a picture says of itself.
+[[nodiscard]] nlohmann::ordered_json sky_view_json(const SkyView& view);
 
 }  // namespace terrview

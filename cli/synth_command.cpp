@@ -5,13 +5,16 @@
 #include <cstdio>
 #include <map>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/command_line.h"
 #include "cli/field_arguments.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
+#include "cli/output_options.h"
 #include "cli/parse.h"
+#include "cli/progress.h"
 #include "ingest/height_file.h"
-#include "render/parallel.h"
 #include "sky/erosion.h"
 #include "sky/field_part.h"
 #include "terrain/error.h"
@@ -23,17 +26,20 @@ constexpr int kLargestSide = 1 << 16;
 
 enum class Relief { plain, ridged, eroded };
 
+const std::map<std::string, Relief> kReliefs{
+    {"plain", Relief::plain}, {"ridged", Relief::ridged}, {"eroded", Relief::eroded}};
+
 struct SynthCommand {
   FieldOptions field;
   glm::ivec2 size{1025, 1025};
   glm::i64vec2 first{0, 0};
   HeightFileOptions file;
-  Relief relief = Relief::plain;
+  std::string relief = "plain";
   double height_m = 300;
   double base_m = 800;
   std::string output = "synth.tif";
   bool overwrite = false;
-  bool quiet = false;
+  BarOptions bar;
   int threads = 0;
 };
 
@@ -78,10 +84,8 @@ void add_grid_options(CLI::App& app, SynthCommand& options) {
 }
 
 void add_relief_options(CLI::App& app, SynthCommand& options) {
-  static const std::map<std::string, Relief> kReliefs{
-      {"plain", Relief::plain}, {"ridged", Relief::ridged}, {"eroded", Relief::eroded}};
   app.add_option_function<std::string>(
-         "--relief", [&](const std::string& text) { options.relief = kReliefs.at(text); },
+         "--relief", [&](const std::string& text) { options.relief = text; },
          "The field itself (default), with crests where it is 0, or cut by rivers")
       ->check(CLI::IsMember(kReliefs))
       ->type_name("plain|ridged|eroded");
@@ -101,19 +105,16 @@ SynthCommand parse_synth(const std::vector<std::string>& args) {
   add_grid_options(app, options);
   add_relief_options(app, options);
   app.add_option("-o,--output", options.output, "A GeoTIFF (default synth.tif)");
+  add_format_options(app, options.file.format, options.file.creation, heights_creation_keys());
   app.add_flag("--overwrite", options.overwrite, "Replace an existing output");
   app.add_option("--threads", options.threads, "Never changes the grid (default: all)")
       ->check(CLI::Range(1, 4096));
-  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
+  add_bar_options(app, options.bar);
   app.parse_args(args);
   if (std::min(options.size.x, options.size.y) < 2 ||
       std::max(options.size.x, options.size.y) > kLargestSide)
     throw InputError("--size: give 2 to " + std::to_string(kLargestSide) + " posts a side");
-  const std::string extension =
-      lower_case(options.output.substr(std::min(options.output.rfind('.'), options.output.size())));
-  if (extension != ".tif" && extension != ".tiff")
-    throw InputError("'" + options.output + "': heights are written as GeoTIFF: end it in .tif");
-  check_crs(options.file.crs);
+  check_heights_file(options.output, options.file);
   return options;
 }
 
@@ -127,6 +128,8 @@ double shaped(Relief relief, double value) {
 }
 
 HeightGrid make_heights(const SynthCommand& options) {
+  ProgressBar bar("making", options.bar.shown());
+  const Relief relief = kReliefs.at(options.relief);
   constexpr int kStripRows = 64;
   const RandomField field(options.field);
   const double per_unit = 1 / field.expected_deviation();
@@ -134,8 +137,7 @@ HeightGrid make_heights(const SynthCommand& options) {
   grid.heights_m.resize(static_cast<std::size_t>(grid.columns) *
                         static_cast<std::size_t>(grid.rows));
   const int strips = (grid.rows + kStripRows - 1) / kStripRows;
-  parallel_for(strips, options.threads, [&](int strip) {
-    check_interrupt();
+  parallel_for(strips, options.threads, bar, [&](int strip) {
     const int first_row = strip * kStripRows;
     const int rows = std::min(kStripRows, grid.rows - first_row);
     // The field's rows run north, the grid's south.
@@ -149,23 +151,39 @@ HeightGrid make_heights(const SynthCommand& options) {
       for (std::size_t i = 0; i < columns; ++i)
         grid.heights_m[to + i] = static_cast<float>(
             options.base_m +
-            options.height_m *
-                shaped(options.relief, per_unit * static_cast<double>(values[from + i])));
+            options.height_m * shaped(relief, per_unit * static_cast<double>(values[from + i])));
     }
   });
   return grid;
 }
 
-void let_rivers_cut(HeightGrid& grid) {
+void let_rivers_cut(HeightGrid& grid, bool bar_shown) {
   const auto columns = static_cast<std::size_t>(grid.columns);
   HeightRows heights(static_cast<std::size_t>(grid.rows));
   for (std::size_t row = 0; row < heights.size(); ++row)
     heights[row].assign(grid.heights_m.begin() + static_cast<std::ptrdiff_t>(row * columns),
                         grid.heights_m.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
-  erode(heights);
+  ProgressBar bar("eroding", bar_shown);
+  ErosionOptions how;
+  how.progress = [&](double share) {
+    check_interrupt();
+    bar.report(share);
+  };
+  erode(heights, how);
   for (std::size_t row = 0; row < heights.size(); ++row)
     for (std::size_t i = 0; i < columns; ++i)
       grid.heights_m[row * columns + i] = static_cast<float>(heights[row][i]);
+}
+
+std::string synth_metadata(const SynthCommand& options) {
+  nlohmann::ordered_json json;
+  json["program"] = std::string("terrview ") + kVersion;
+  json["field"] = field_json(options.field);
+  json["first"] = {options.first.x, options.first.y};
+  json["relief"] = options.relief;
+  json["height_m"] = options.height_m;
+  json["base_m"] = options.base_m;
+  return json.dump();
 }
 
 }  // namespace
@@ -174,10 +192,12 @@ int run_synth(const std::vector<std::string>& args) {
   const SynthCommand options = parse_synth(args);
   OutputFile file(options.output, options.overwrite);
   HeightGrid grid = make_heights(options);
-  if (options.relief == Relief::eroded) let_rivers_cut(grid);
-  file.fill([&](const std::string& path) { write_heights(path, grid, options.file); });
+  if (kReliefs.at(options.relief) == Relief::eroded) let_rivers_cut(grid, options.bar.shown());
+  HeightFileOptions to_file = options.file;
+  to_file.description = synth_metadata(options);
+  file.fill([&](const std::string& path) { write_heights(path, grid, to_file); });
   file.commit();
-  if (!options.quiet) std::fprintf(stderr, "wrote %s\n", file.path().c_str());
+  if (!options.bar.quiet) std::fprintf(stderr, "wrote %s\n", file.path().c_str());
   return 0;
 }
 

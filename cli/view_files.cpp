@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/camera_json.h"
-#include "cli/parse.h"
+#include "cli/output_options.h"
 #include "cli/view_outputs.h"
 #include "ingest/indexed_file.h"
 #include "render/image_file.h"
@@ -15,9 +15,8 @@ namespace {
 
 // The name without its folder, in the format's usual extension.
 std::string default_name(const ViewOptions& options) {
-  const std::string format = options.format.empty() ? "png" : lower_case(options.format);
-  return std::filesystem::path(options.dems.front()).stem().string() + "." +
-         (format == "gtiff" ? "tif" : format);
+  return std::filesystem::path(options.dems.front()).stem().string() +
+         usual_extension(options.format);
 }
 
 IndexedFileOptions indexed_options(const ViewOptions& options) {

@@ -1,6 +1,7 @@
 #include "cli/view_options.h"
 
 #include "cli/add_option.h"
+#include "cli/output_options.h"
 #include "cli/view_light_options.h"
 #include "cli/view_objects.h"
 #include "cli/view_sky.h"
@@ -84,17 +85,7 @@ void add_output_options(CLI::App& app, ViewOptions& options) {
   app.add_option("-o", options.output,
                  "Picture: png, jpg, tif, exr, webp or ppm (default: the first DEM's name + .png)")
       ->type_name("FILE");
-  app.add_option("--of", options.format, "Picture format, if not by extension");
-  app.add_option_function<std::vector<std::string>>(
-         "--co",
-         [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts)
-             options.creation.insert(parse_creation_option(text));
-         },
-         "Creation option: QUALITY, ZLEVEL or COMPRESS")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all();
+  add_format_options(app, options.format, options.creation, "QUALITY, ZLEVEL or COMPRESS");
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
   add_palette_options(app, "--palette", options.palette);
   app.add_option("--layers", options.layers,

@@ -81,6 +81,7 @@ void erode(HeightRows& relief, const ErosionOptions& options) {
       height_m = (height_m + cut * relief[below.row][below.column]) / (1 + cut);
     }
     creep(relief, options.creep);
+    if (options.progress) options.progress((step + 1.0) / options.steps);
   }
 }
 

@@ -1,6 +1,7 @@
 // Rivers for an invented relief.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 namespace terrview {
@@ -11,6 +12,7 @@ struct ErosionOptions {
   int steps = 10;
   double incision = 0.06;  // per step, for the water of one post
   double creep = 0.1;      // per step, how far a post moves to the mean of its four neighbours
+  std::function<void(double share)> progress = {};  // may throw to end the work
 };
 
 // Lets rivers cut `relief`, which drains over its border: the stream power law with the root of the

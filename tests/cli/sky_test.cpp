@@ -1,4 +1,5 @@
 // `terrview sky`, as a user runs it.
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
 
 #include "cli/color_table_file.h"
@@ -109,7 +110,57 @@ TEST_F(Sky, EveryChoiceOfAViewChangesThePicture) {
   }
 }
 
+TEST_F(Sky, IsWrittenInTheFormatNamed) {
+  ASSERT_EQ(run(words("sky --size 20x10 -q --of JPEG")).exit_code, 0);
+  EXPECT_EQ(bytes("sky.jpeg").substr(0, 2), "\xff\xd8");
+  ASSERT_EQ(run(words("sky --size 20x10 -q --of EXR -o named")).exit_code, 0);
+  EXPECT_EQ(bytes("named").substr(0, 4), "\x76\x2f\x31\x01");
+  ASSERT_EQ(run(words("sky --size 90x60 -q -o fine.jpg --co QUALITY=95")).exit_code, 0);
+  ASSERT_EQ(run(words("sky --size 90x60 -q -o coarse.jpg --co QUALITY=10")).exit_code, 0);
+  EXPECT_LT(bytes("coarse.jpg").size(), bytes("fine.jpg").size());
+}
+
+TEST_F(Sky, SaysInThePictureAllThatMakesIt) {
+  const auto said = [&](const std::string& line) {
+    EXPECT_EQ(run(words("sky --size 20x10 -q --overwrite -o a.png " + line)).exit_code, 0);
+    GDALAllRegister();
+    const GDALDatasetUniquePtr picture(GDALDataset::Open(path("a.png").c_str()));
+    const char* text = picture ? picture->GetMetadataItem("terrview_sky") : nullptr;
+    return nlohmann::json::parse(text != nullptr ? text : "{}");
+  };
+  const nlohmann::json flat =
+      said("--seed 5 --levels 3:4 --h 0.5 --field midpoint --law coin --cells 2,3 --origin 1,0");
+  EXPECT_EQ(flat.at("field"), nlohmann::json::parse(R"({"seed": 5, "levels": [3, 4], "h": [0.5],
+                                                        "kind": "midpoint", "law": "coin"})"));
+  EXPECT_EQ(flat.at("flat"),
+            nlohmann::json::parse(R"({"cells": [2.0, 3.0], "origin": [1.0, 0.0]})"));
+  EXPECT_EQ(flat.at("table").at("middle"), sky_table(0.35).window.middle);
+  EXPECT_FALSE(flat.contains("view"));
+  const nlohmann::json view = said("--projection perspective --sun 100,20 --fov 50").at("view");
+  EXPECT_EQ(view.at("sun").at("azimuth"), 100);
+  EXPECT_NEAR(view.at("fov").get<double>(), 50, 1e-12);
+  EXPECT_NEAR(view.at("pitch").get<double>(), 20, 1e-12);
+  EXPECT_EQ(view.at("layer"), "shell");
+}
+
+TEST_F(Sky, ShowsItsProgressWhereAsked) {
+  const std::string line = "sky --projection perspective --size 2600x2000 --threads 1 --of ppm -o ";
+  EXPECT_TRUE(
+      says(run(words(line + "a.ppm --progress")).err, {"painting [#", " %", "wrote a.ppm"}));
+}
+
+TEST_F(Sky, IsNeverTheTableThatItReads) {
+  ASSERT_EQ(run(words("sky --size 20x10 -q -o a.png --write-ramp t.json")).exit_code, 0);
+  const std::string before = bytes("t.json");
+  expect_refused(run(words("sky --ramp t.json --of png --overwrite -o ./t.json")),
+                 {"t.json", "input"});
+  EXPECT_EQ(bytes("t.json"), before);
+  expect_refused(run(words("sky --of png -o b --write-ramp ./b")), {"'b'", "two outputs"});
+}
+
 TEST_F(Sky, RefusesInOneLine) {
+  expect_refused(run(words("sky --of bmp")), {"bmp", "--of"});
+  expect_refused(run(words("sky --co ROUGH=1")), {"ROUGH=1", "QUALITY"});
   expect_refused(run(words("sky --projection perspective --levels 3:5")),
                  {"--levels", "one number"});
   expect_refused(run(words("sky --projection perspective --fov 190")), {"--fov"});

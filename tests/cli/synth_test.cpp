@@ -149,7 +149,44 @@ TEST_F(Synth, ViewsShowWhatItMakes) {
   EXPECT_EQ(run(words("grid.tif --eye-xy 2000,200,+300 --size 40x30 -q -o v.png")).exit_code, 0);
 }
 
+TEST_F(Synth, IsWrittenAsToldWithTheSameHeights) {
+  const Grid usual = synth("--size 200x100");
+  const std::string deflated = bytes("grid.tif");
+  for (const char* choice : {"--co COMPRESS=NONE", "--co compress=lzw --co TILED=NO"}) {
+    EXPECT_EQ(synth(std::string("--size 200x100 ") + choice).heights_m, usual.heights_m) << choice;
+    EXPECT_GT(bytes("grid.tif").size(), deflated.size()) << choice;
+  }
+  ASSERT_EQ(run(words("synth --size 200x100 -q --of GTiff -o grid.dem")).exit_code, 0);
+  EXPECT_TRUE(bytes("grid.dem") == deflated);
+}
+
+TEST_F(Synth, SaysInTheFileAllThatMakesIt) {
+  static_cast<void>(
+      synth("--size 9x8 --seed 7 --first -3,4 --relief ridged --height 50 --base 10"));
+  const GDALDatasetUniquePtr file(GDALDataset::Open(path("grid.tif").c_str()));
+  const nlohmann::json said =
+      nlohmann::json::parse(file->GetMetadataItem("TIFFTAG_IMAGEDESCRIPTION"));
+  EXPECT_EQ(said.at("field").at("seed"), 7);
+  EXPECT_EQ(said.at("field").at("levels"), nlohmann::json({8, 8}));
+  EXPECT_EQ(said.at("first"), nlohmann::json({-3, 4}));
+  EXPECT_EQ(said.at("relief"), "ridged");
+  EXPECT_EQ(said.at("height_m"), 50);
+  EXPECT_EQ(said.at("base_m"), 10);
+}
+
+TEST_F(Synth, ShowsItsProgressWhereAsked) {
+  const std::string line = "synth --size 900x900 --relief eroded --threads 1 -o ";
+  EXPECT_TRUE(says(run(words(line + "a.tif --progress")).err, {"eroding [#", " %", "wrote a.tif"}));
+  EXPECT_EQ(run(words(line + "b.tif")).err, "wrote b.tif\n");
+}
+
 TEST_F(Synth, RefusesInOneLine) {
+  expect_refused(run(words("synth --of PNG")), {"PNG", "GTiff"});
+  expect_refused(run(words("synth --co TFW=YES")), {"TFW=YES", "COMPRESS"});
+  expect_refused(run(words("synth --co COMPRESS=ROCK")), {"COMPRESS=ROCK", "DEFLATE"});
+  expect_refused(run(words("synth --co COMPRESS=JPEG")), {"COMPRESS=JPEG", "DEFLATE"});
+  expect_refused(run(words("synth --co TILED=PERHAPS")), {"--co", "PERHAPS"});
+  expect_refused(run(words("synth --co BLOCKXSIZE=17")), {"--co", "another value"});
   expect_refused(run(words("synth --size 1x5")), {"--size"});
   expect_refused(run(words("synth -o grid.asc")), {"grid.asc", ".tif"});
   expect_refused(run(words("synth --a-srs EPSG:1")), {"--a-srs EPSG:1"});

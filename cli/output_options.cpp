@@ -1,0 +1,44 @@
+#include "cli/output_options.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/parse.h"
+#include "cli/progress.h"
+
+namespace terrview {
+
+void add_format_options(CLI::App& app, std::string& format,
+                        std::map<std::string, std::string>& creation, const std::string& keys) {
+  app.add_option("--of", format, "Output format, if not by extension");
+  app.add_option_function<std::vector<std::string>>(
+         "--co",
+         [&creation](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) creation.insert(parse_creation_option(text));
+         },
+         "Creation option: " + keys)
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+bool same_place(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  return std::filesystem::absolute(a).lexically_normal() ==
+         std::filesystem::absolute(b).lexically_normal();
+}
+
+std::string usual_extension(const std::string& format) {
+  const std::string name = lower_case(format);
+  if (name.empty()) return ".png";
+  return name == "gtiff" ? ".tif" : "." + name;
+}
+
+bool BarOptions::shown() const { return !quiet && (progress || stderr_is_terminal()); }
+
+void add_bar_options(CLI::App& app, BarOptions& options) {
+  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
+  app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");
+}
+
+}  // namespace terrview

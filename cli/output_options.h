@@ -1,0 +1,32 @@
+// Options of outputs that the commands share.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace terrview {
+
+// --of and --co; `keys` says what --co knows.
+void add_format_options(CLI::App& app, std::string& format,
+                        std::map<std::string, std::string>& creation, const std::string& keys);
+
+// Whether two paths, neither of them empty, name one file.
+[[nodiscard]] bool same_place(const std::string& a, const std::string& b);
+
+// Of a file in `format`, as --of has it, with the dot; empty: png.
+[[nodiscard]] std::string usual_extension(const std::string& format);
+
+// Whether a progress bar is shown.
+struct BarOptions {
+  bool quiet = false;
+  bool progress = false;
+
+  [[nodiscard]] bool shown() const;
+};
+
+// -q, --quiet and --progress.
+void add_bar_options(CLI::App& app, BarOptions& options);
+
+}  // namespace terrview
