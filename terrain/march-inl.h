@@ -181,7 +181,12 @@ class Marcher {
                      exit.doubt * hn::Abs(edge);
     const VF bend = get(set_.bend, first) * exit.g * exit.g;
 
-    const std::uint32_t knot = bits_of(exit.g >= get(set_.end, first)) & active;
+    const VF end = get(set_.end, first);
+    const VF metres =
+        hn::IfThenElse(exit.over_column, get(set_.metres_u, first), get(set_.metres_v, first));
+    const std::uint32_t knot = bits_of(exit.g >= end) & active;
+    // The next piece may begin beyond this edge, which would then be left out.
+    const std::uint32_t near_knot = knot & bits_of(exit.g - end < exit.doubt * hn::Abs(metres));
     active &= ~knot;
     const std::uint32_t clear = bits_of(hn::AndNot(in_doubt(share, exit.doubt), above > slack));
     // The edge between two holes stops nothing.
@@ -190,7 +195,8 @@ class Marcher {
     tests_ += __builtin_popcount(active);
     settle(first, active & below, March::stopped);
     settle(first, active & ~(below | clear), March::undecided);
-    settle(first, knot, March::at_knot);
+    settle(first, knot & ~near_knot, March::at_knot);
+    settle(first, near_knot, March::undecided);
     active &= clear;
 
     const MF forward =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -169,6 +170,48 @@ TEST(Occluded, AnswersSoBelowTheEye) {
   expect_answers_of_single_rays(terrain, rays, answers);
   EXPECT_GT(answers.stopped, 1000);
   EXPECT_GT(answers.free, 1000);
+}
+
+// An affine map whose tracks are cut every 300 m.
+class CutGroundMap final : public GroundMap {
+ public:
+  explicit CutGroundMap(std::shared_ptr<const GroundMap> whole) : whole_(std::move(whole)) {}
+  [[nodiscard]] glm::dvec2 to_grid(glm::dvec2 ground_m) const override {
+    return whole_->to_grid(ground_m);
+  }
+  [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const override {
+    return whole_->jacobian(ground_m);
+  }
+  [[nodiscard]] double reach_m() const override { return whole_->reach_m(); }
+  [[nodiscard]] double piece_end_m(const GroundLine& /*line*/, double from_m,
+                                   double limit_m) const override {
+    return std::min(limit_m, 300 * (std::floor(from_m / 300) + 1));
+  }
+
+ private:
+  std::shared_ptr<const GroundMap> whole_;
+};
+
+TEST(Occluded, AnswersSoWhereAPieceEndsAtAWall) {
+  constexpr int kWall = 40;
+  const Place place{.eye_uv = {kWall, 50}, .spacing_m = {30, 30}};
+  const auto height_m = [](int column, int) { return column == kWall ? 100 : 0; };
+  TerrainLayer layer = make_layer(make_grid(100, 100, height_m), place);
+  layer.map = std::make_shared<const CutGroundMap>(layer.map);
+  const Terrain terrain({layer}, {.eye_height_m = 50}, SurfaceModel::hyperboloid);
+  Random random(13);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 20000; ++i) {
+    const double azimuth_rad = random.uniform(0.8, 2.3);
+    const glm::dvec2 direction(std::sin(azimuth_rad), std::cos(azimuth_rad));
+    const double away_m =
+        300 * random.integer(1, 2) + random.sign() * random.log_uniform(1e-9, 1e-2);
+    rays.push_back({.origin_m = {-away_m * direction, 0},
+                    .direction = glm::normalize(glm::dvec3(direction, 0.05))});
+  }
+  Answers answers;
+  expect_answers_of_single_rays(terrain, rays, answers);
+  EXPECT_EQ(answers.free, 0);
 }
 
 // A plain and a wall across it, two columns thick, or rows if `transposed`. Half of the wall has
