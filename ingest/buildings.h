@@ -18,7 +18,7 @@ enum class BuildingBase { lowest, mean, highest };
 
 struct BuildingOptions {
   BuildingBase base = BuildingBase::lowest;
-  double default_height_m = 6;  // over min_height
+  double default_height_m = 6;          // over min_height
   std::optional<glm::vec3> color = {};  // linear, of every building
   bool color_by_height = false;
 };
