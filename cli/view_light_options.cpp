@@ -94,9 +94,10 @@ void add_light_options(CLI::App& app, ViewOptions& options) {
   add_choice<NormalKind>(app, "--normals", options.normals,
                          {{"smooth", NormalKind::smooth}, {"facet", NormalKind::facet}},
                          "Light smooth ground (default) or its facets");
-  app.add_option("--colors", options.colors,
-                 "Colours by altitude: gdaldem color-relief text or a QGIS colour map")
-      ->type_name("FILE");
+  app.add_option(
+         "--colors", options.colors,
+         "Colours by altitude: gdaldem color-relief text or a QGIS colour map, or their name")
+      ->type_name("alpine|arid|polar|grey|FILE");
   app.add_option("--drape", options.drape,
                  "A georeferenced picture over the ground: anything GDAL opens with 8 or 16 bits")
       ->type_name("IMAGE");

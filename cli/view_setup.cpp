@@ -13,6 +13,7 @@
 #include "cli/view_sky.h"
 #include "ingest/color_ramp_file.h"
 #include "ingest/drape_file.h"
+#include "render/named_ramps.h"
 #include "render/sky_light.h"
 #include "terrain/error.h"
 
@@ -106,7 +107,9 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
                                    .progress = [](double) { check_interrupt(); }}));
   scene.air = make_air(options.air);
   if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
-  if (!options.colors.empty())
+  if (const ColorRamp* named = find_named_ramp(options.colors))
+    scene.tints = *named;
+  else if (!options.colors.empty())
     scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
   if (!options.drape.empty())
     scene.drape = read_drape(options.drape, dems, options.dem.memory_bytes);

@@ -11,6 +11,7 @@
 #include "ingest/crs_transform.h"
 #include "ingest/sight.h"
 #include "ingest/visible_window.h"
+#include "render/named_ramps.h"
 
 namespace terrview {
 namespace {
@@ -136,9 +137,10 @@ ViewSector sector_of(const ViewOptions& options) {
 
 void limit_reading(ViewOptions& options) {
   const bool aimed = options.heading_deg || options.look_at;
+  // Shares of the range of heights are of the whole file's.
+  const bool ramp_of_range = !options.colors.empty() && find_named_ramp(options.colors) == nullptr;
   if (!aimed || options.earth == EarthModel::flat || options.dem.window ||
-      options.dem.choose_window || !options.colors.empty() ||
-      options.projection == Projection::orthographic)
+      options.dem.choose_window || ramp_of_range || options.projection == Projection::orthographic)
     return;
   const auto is_large = [&](const std::string& path) {
     const DemHeader header = read_dem_header(path, options.dem);

@@ -70,6 +70,15 @@ TEST_F(DrapeOfView, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(bytes("one.png"), bytes("three.png"));
 }
 
+TEST_F(DrapeOfView, LiesOverTheTintsOfAnyRamp) {
+  view_down("--colors polar -o polar.ppm");
+  view_down("--colors arid -o arid.ppm");
+  EXPECT_NE(bytes("polar.ppm"), bytes("arid.ppm"));
+  view_down("--colors polar --drape halves.tif -o over_polar.ppm");
+  view_down("--colors arid --drape halves.tif -o over_arid.ppm");
+  EXPECT_EQ(bytes("over_polar.ppm"), bytes("over_arid.ppm"));
+}
+
 TEST_F(DrapeOfView, ThatTheViewReadsIsNeverWritten) {
   const std::string before = bytes("halves.tif");
   expect_refused(
