@@ -100,7 +100,7 @@ VerticalFrame::Bend VerticalFrame::bend(double height_bound_m) const {
 
 bool VerticalFrame::is_convex(double reach_m) const {
   const double gamma = reach_m * std::max(north_curvature_per_m, east_curvature_per_m);
-  return is_flat() || (gamma < 0.2 && refraction >= -1 && refraction <= 0.9);
+  return is_flat() || (gamma * gamma < kSeriesLimit && refraction >= -1 && refraction <= 0.9);
 }
 
 VerticalFrame::Slopes VerticalFrame::slopes(double lowest_m, double highest_m,

@@ -157,7 +157,7 @@ TEST(VerticalFrame, BoundsHowTheHeightOfALineBends) {
                               .north_curvature_per_m = random.uniform(0.99, 1.01) / 6.37e6,
                               .east_curvature_per_m = random.uniform(0.99, 1.01) / 6.37e6,
                               .refraction = random.uniform(-1, 0.9)};
-    const double reach_m = random.log_uniform(1, 0.19 * 6.37e6);
+    const double reach_m = random.log_uniform(1, 0.095 * 6.37e6);
     ASSERT_TRUE(frame.is_convex(reach_m));
     const double azimuth_rad = random.uniform(0, 6.3);
     const glm::dvec2 along(std::sin(azimuth_rad), std::cos(azimuth_rad));
