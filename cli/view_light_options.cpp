@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "cli/add_option.h"
+#include "terrain/error.h"
 
 namespace terrview {
 namespace {
@@ -101,6 +102,15 @@ void add_light_options(CLI::App& app, ViewOptions& options) {
   app.add_option("--drape", options.drape,
                  "A georeferenced picture over the ground: anything GDAL opens with 8 or 16 bits")
       ->type_name("IMAGE");
+  add_parsed(
+      app, "--contours",
+      [&](const std::string& text) {
+        options.contour_interval_m = parse_number("--contours", text);
+        if (!(options.contour_interval_m >= 0.01 && options.contour_interval_m <= 100'000))
+          throw InputError("--contours: give metres between lines, from 0.01 to 100000");
+      },
+      "Contour lines, so many metres of height apart")
+      ->type_name("M");
   add_air_options(app, options.air);
 }
 

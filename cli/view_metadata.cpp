@@ -113,6 +113,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
   if (!options.colors.empty()) json["colors"] = file_name(options.colors);
   if (!options.drape.empty()) json["drape"] = file_name(options.drape);
+  if (options.contour_interval_m > 0) json["contours"] = options.contour_interval_m;
   if (wants_palette(options.palette)) json["palette"] = palette_json(options.palette);
   // File names may be no UTF-8.
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);

@@ -99,6 +99,7 @@ struct ViewOptions {
   SamplingOptions sampling;
   std::string colors;
   std::string drape;
+  double contour_interval_m = 0;  // 0 = no contour lines
   int threads = 0;
 
   PaletteOptions palette;

@@ -111,6 +111,7 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
     scene.tints = *named;
   else if (!options.colors.empty())
     scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
+  scene.contours.interval_m = options.contour_interval_m;
   if (!options.drape.empty())
     scene.drape = read_drape(options.drape, dems, options.dem.memory_bytes);
   return scene;

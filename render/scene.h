@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "render/color_ramp.h"
+#include "render/contours.h"
 #include "render/ground_detail.h"
 #include "terrain/sky_view.h"
 #include "terrain/terrain.h"
@@ -56,6 +57,7 @@ struct Scene {
   std::shared_ptr<const Terrain> terrain;
   ColorRamp tints = altitude_tints();
   std::shared_ptr<const Drape> drape;  // over the tints; none: the tints alone
+  Contours contours;
   NormalKind normals = NormalKind::smooth;
   std::shared_ptr<const GroundDetail> detail;  // none: every pixel sees a point of the ground
   // How much of the sky each layer's posts see, which dims the ambient light; none: all of it.

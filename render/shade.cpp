@@ -1,5 +1,6 @@
 #include "render/shade.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render/air.h"
@@ -27,10 +28,16 @@ GroundDetail::Ground exact_ground(const Scene& scene, const Hit& hit) {
 // The ground's own colour, as a pixel `width_m` wide sees it.
 glm::vec3 ground_color(const Scene& scene, const Ray& ray, const Hit& hit, double width_m,
                        const GroundDetail::Ground& ground) {
-  const glm::vec3 tint = scene.tints.at(ground.height_m);
-  if (!scene.drape) return tint;
-  return scene.drape->over(tint, *scene.terrain, ray, hit, scene.detail ? width_m : 0,
-                           ground.normal);
+  glm::vec3 color = scene.tints.at(ground.height_m);
+  if (scene.drape)
+    color = scene.drape->over(color, *scene.terrain, ray, hit, scene.detail ? width_m : 0,
+                              ground.normal);
+  const Contours& contours = scene.contours;
+  if (contours.interval_m <= 0) return color;
+  const double rise_m = rise_over(width_m * footprint(ray.direction, ground.normal), ground.normal,
+                                  scene.terrain->frame().z_scale);
+  const double share = contour_share(ground.height_m, rise_m, contours.interval_m);
+  return glm::mix(color, contours.color, contours.opacity * static_cast<float>(share));
 }
 
 // Fills in the normals, and as clear colours those of the ground, and returns N . L of each hit: 0

@@ -79,6 +79,16 @@ TEST_F(DrapeOfView, LiesOverTheTintsOfAnyRamp) {
   EXPECT_EQ(bytes("over_polar.ppm"), bytes("over_arid.ppm"));
 }
 
+TEST_F(DrapeOfView, HasContourLinesAsManyMetresApartAsAreAskedFor) {
+  view_down("--drape halves.tif -o plain.png");
+  view_down("--drape halves.tif --contours 50 -o lines.png");
+  EXPECT_NE(read_picture(path("plain.png")).colors, read_picture(path("lines.png")).colors);
+  EXPECT_EQ(said_in("lines.png").at("contours"), 50);
+  for (const std::string wrong : {"0", "-10", "1e9", "ten"})
+    expect_refused(run(words("hills.tif --eye 48,7,9000 -o a.png --contours " + wrong)),
+                   {"--contours"});
+}
+
 TEST_F(DrapeOfView, ThatTheViewReadsIsNeverWritten) {
   const std::string before = bytes("halves.tif");
   expect_refused(
