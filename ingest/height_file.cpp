@@ -71,17 +71,6 @@ CPLStringList creation_list(const HeightFileOptions& options) {
   return list;
 }
 
-GDALDatasetUniquePtr create(const MemoryFile& memory, glm::ivec2 posts,
-                            const HeightFileOptions& options) {
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  GDALDatasetUniquePtr dataset(driver->Create(memory.path().c_str(), posts.x, posts.y, 1,
-                                              GDT_Float32, creation_list(options).List()));
-  memory.throw_if_failed();
-  // Libtiff's complaints are lost where another library has taken over its error handler.
-  if (!dataset) throw std::runtime_error("GDAL makes no such file");
-  return dataset;
-}
-
 void check_format(const std::string& path, const std::string& format) {
   std::string name = format.empty() ? std::filesystem::path(path).extension().string() : format;
   if (name.starts_with('.')) name.erase(0, 1);
@@ -111,7 +100,7 @@ void check_creation(const HeightFileOptions& options) {
   // Numbers are not validated.
   const MemoryFile memory;
   try {
-    static_cast<void>(create(memory, {2, 2}, options));
+    static_cast<void>(memory.create({2, 2}, 1, GDT_Float32, creation_list(options).List()));
   } catch (const std::runtime_error& error) {
     const std::string said = error.what();
     const std::size_t name = said.find(memory.path() + ": ");
@@ -137,7 +126,8 @@ void write_heights(const std::string& path, const HeightGrid& grid,
                    const HeightFileOptions& options) {
   const GdalScope registered;
   const MemoryFile memory;
-  GDALDatasetUniquePtr dataset = create(memory, {grid.columns, grid.rows}, options);
+  GDALDatasetUniquePtr dataset =
+      memory.create({grid.columns, grid.rows}, 1, GDT_Float32, creation_list(options).List());
   if (!options.description.empty())
     dataset->SetMetadataItem("TIFFTAG_IMAGEDESCRIPTION", options.description.c_str());
   if (!options.crs.empty()) {

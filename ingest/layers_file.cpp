@@ -13,15 +13,11 @@ namespace terrview {
 
 void write_layers(const std::string& path, int width_px, int height_px,
                   const std::vector<LayerBand>& bands, const std::string& camera_json) {
-  GDALAllRegister();
   const MemoryFile memory;
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND",
                                  "BIGTIFF=IF_SAFER", nullptr};
-  GDALDatasetUniquePtr dataset(driver->Create(memory.path().c_str(), width_px, height_px,
-                                              static_cast<int>(bands.size()), GDT_Float64,
-                                              const_cast<char**>(options)));
-  memory.throw_if_failed();
+  GDALDatasetUniquePtr dataset =
+      memory.create({width_px, height_px}, static_cast<int>(bands.size()), GDT_Float64, options);
   dataset->SetMetadataItem("TERRVIEW_CAMERA", camera_json.c_str());
   for (std::size_t i = 0; i < bands.size(); ++i) {
     GDALRasterBand* band = dataset->GetRasterBand(static_cast<int>(i) + 1);

@@ -22,6 +22,18 @@ std::string MemoryFile::path() const {
   return "/vsimem/terrview_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".tif";
 }
 
+GDALDatasetUniquePtr MemoryFile::create(glm::ivec2 size, int bands, GDALDataType type,
+                                        const char* const* options) const {
+  GDALAllRegister();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  GDALDatasetUniquePtr dataset(
+      driver->Create(path().c_str(), size.x, size.y, bands, type, const_cast<char**>(options)));
+  throw_if_failed();
+  // Libtiff's complaints are lost where another library has taken over its error handler.
+  if (!dataset) throw std::runtime_error("GDAL makes no such file");
+  return dataset;
+}
+
 std::string_view MemoryFile::bytes() const {
   vsi_l_offset size = 0;
   const GByte* data = VSIGetMemFileBuffer(path().c_str(), &size, FALSE);

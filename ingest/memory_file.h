@@ -4,6 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include <gdal_priv.h>
+#include <glm/vec2.hpp>
+
 namespace terrview {
 
 class MemoryFile {
@@ -15,6 +18,10 @@ class MemoryFile {
 
   // One of its own for every living MemoryFile.
   [[nodiscard]] std::string path() const;
+
+  // Throws as throw_if_failed().
+  [[nodiscard]] GDALDatasetUniquePtr create(glm::ivec2 size, int bands, GDALDataType type,
+                                            const char* const* options) const;
 
   [[nodiscard]] std::string_view bytes() const;
 

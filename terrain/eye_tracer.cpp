@@ -44,12 +44,9 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
   const EyeTracks* tracks = map.eye_tracks();
   set.count = rays.count;
   for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
-    const V across_x = load(rays.direction_x, i);
-    const V across_y = load(rays.direction_y, i);
-    const V length = hn::Sqrt(across_x * across_x + across_y * across_y);
-    const V x = across_x / length;
-    const V y = across_y / length;
-    const V slope = load(rays.direction_z, i) / length;
+    const VectorLine line =
+        line_under(load(rays.direction_x, i), load(rays.direction_y, i), load(rays.direction_z, i));
+    const auto [x, y, slope] = line;
     save(rays.x, i, x);
     save(rays.y, i, y);
     save(rays.slope, i, slope);
@@ -58,13 +55,11 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
     save(set.y, i, y);
     save(set.slope, i, slope);
     if (jacobian) {
-      const glm::dmat2& j = *jacobian;
-      const VectorRate u = invertible(of(j[0][0]) * x + of(j[1][0]) * y);
-      const VectorRate v = invertible(of(j[0][1]) * x + of(j[1][1]) * y);
-      save(set.rate_u, i, u.rate);
-      save(set.rate_v, i, v.rate);
-      save(set.metres_u, i, u.metres);
-      save(set.metres_v, i, v.metres);
+      const LinearRates rates = rates_along(line, *jacobian);
+      save(set.rate_u, i, rates.u.rate);
+      save(set.rate_v, i, rates.v.rate);
+      save(set.metres_u, i, rates.u.metres);
+      save(set.metres_v, i, rates.v.metres);
     } else {
       save(set.sector, i, sectors_of(x, y, tracks->sectors_a_side()));
     }

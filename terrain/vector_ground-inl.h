@@ -107,6 +107,25 @@ HWY_INLINE VectorRate invertible(V rate) {
   return {hn::IfThenElseZero(is_finite, rate), hn::IfThenElseZero(is_finite, metres)};
 }
 
+// The ground lines under directions from the eye, and the slope of the rays over them.
+struct VectorLine {
+  V x, y, slope;
+};
+HWY_INLINE VectorLine line_under(V x, V y, V z) {
+  const V length = hn::Sqrt(x * x + y * y);
+  return {x / length, y / length, z / length};
+}
+
+// How a straight line goes over the posts of an affine map.
+struct LinearRates {
+  VectorRate u, v;
+};
+HWY_INLINE LinearRates rates_along(const VectorLine& line, const glm::dmat2& jacobian) {
+  const glm::dmat2& j = jacobian;
+  return {invertible(of(j[0][0]) * line.x + of(j[1][0]) * line.y),
+          invertible(of(j[0][1]) * line.x + of(j[1][1]) * line.y)};
+}
+
 // The posts of one grid.
 class VectorPosts {
  public:

@@ -13,7 +13,9 @@ namespace terrview {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "terrview_test_XXXXXX").string();
+    // mkdtemp() replaces six letters X.
+    std::string name = (std::filesystem::temp_directory_path() / "terrview_test_").string();
+    name += std::string(6, 'X');
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder " + name);
     path_ = name;
   }
