@@ -15,6 +15,7 @@
 #include "bench/objects/object_contender.h"
 #include "bench/objects/object_scene.h"
 #include "bench/objects/uniform_grid.h"
+#include "render/objects/cell_map.h"
 #include "render/objects/rectangle_map.h"
 
 namespace terrview {
@@ -43,7 +44,8 @@ ObjectContender built(const std::string& name, const Objects& objects, int repet
 }
 
 std::vector<ObjectContender> contenders(const Objects& objects, int repetitions) {
-  std::vector<ObjectContender> all{built<RectangleMap>("rectangle map", objects, repetitions),
+  std::vector<ObjectContender> all{built<CellMap>("cell map", objects, repetitions),
+                                   built<RectangleMap>("rectangle map", objects, repetitions),
                                    built<UniformGrid>("uniform grid", objects, repetitions)};
   std::vector<std::vector<double>> times_s;
   for (int i = 0; i < repetitions; ++i) {
@@ -59,11 +61,11 @@ std::vector<ObjectContender> contenders(const Objects& objects, int repetitions)
   return all;
 }
 
-std::vector<ObjectView> views(double extent_m) {
-  const double middle_m = extent_m / 2;
+std::vector<ObjectView> views(const City& city) {
+  const double middle_m = city.middle_m();
   const glm::ivec2 size_px(640, 360);
   const glm::dvec3 middle(middle_m, middle_m, 0);
-  return {{"oblique, from 1000 m", {middle_m, -500, 1000}, {middle_m, 900, 0}, 1, size_px},
+  return {{"oblique, from 1000 m", middle + glm::dvec3(0, -1400, 1000), middle, 1, size_px},
           {"down, from 3000 m", middle + glm::dvec3(0, 0, 3000), middle, 1, size_px},
           {"from a roof", middle + glm::dvec3(0, 0, 60), middle + glm::dvec3(100, 1000, 30), 1,
            size_px},
@@ -108,7 +110,7 @@ ObjectCounts work_of(const ObjectSet& set, const std::vector<Ray>& rays) {
   return counts;
 }
 
-// Against the rectangle map, which the tests compare with testing every object.
+// Against the cell map, which the tests compare with testing every object.
 void write_errors(const Turns& turns, const Turns& exact, std::ostream& out) {
   std::size_t others = 0;
   double largest_m = 0;
@@ -159,21 +161,21 @@ void write_view(const std::vector<ObjectContender>& contenders, const ObjectView
 
 }  // namespace
 
-void write_city_tables(const CityBenchOptions& options, std::ostream& out) {
-  const Objects objects = city_scene(options.boxes, options.relief_m);
-  const auto all = contenders(objects, options.repetitions);
+void write_city_tables(const City& city, std::ostream& out) {
+  constexpr int kRepetitions = 5;
+  const Objects objects = city_scene(city);
+  const auto all = contenders(objects, kRepetitions);
   out << '\n'
-      << options.boxes << " boxes, ground of " << options.relief_m << " m relief\n\n"
+      << city.boxes << " boxes, ground of " << city.relief_m << " m relief, a town every "
+      << city.apart << " km\n\n"
       << "| | build, ms | memory for each object, bytes |\n|---|---|---|\n";
   for (const ObjectContender& it : all)
     out << std::fixed << "| " << it.name << " | " << std::setprecision(1) << 1e3 * it.build_s
-        << " | " << std::setprecision(0) << it.bytes / options.boxes << " |\n";
-  out << "\n| view | | ns a primary ray | times the map's | ns a shadow ray | times the map's | "
-         "tests + "
-         "steps a primary ray | other object | largest error, m | shadow flips "
+        << " | " << std::setprecision(0) << it.bytes / city.boxes << " |\n";
+  out << "\n| view | | ns a primary ray | times the cell map's | ns a shadow ray | times the cell "
+         "map's | tests + steps a primary ray | other object | largest error, m | shadow flips "
          "|\n|---|---|---|---|---|---|---|---|---|---|\n";
-  for (const ObjectView& view : views(city_extent_m(options.boxes)))
-    write_view(all, view, options.repetitions, out);
+  for (const ObjectView& view : views(city)) write_view(all, view, kRepetitions, out);
 }
 
 }  // namespace terrview

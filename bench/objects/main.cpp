@@ -1,5 +1,5 @@
-// terrview-bench-objects [BOXES]: the rectangle map in the thesis's scenes, and beside other ways
-// on cities of BOXES boxes; tables of Markdown.
+// terrview-bench-objects [BOXES]: the rectangle map in the thesis's scenes, and the maps of objects
+// beside other ways on cities of BOXES boxes; tables of Markdown.
 #include <charconv>
 #include <exception>
 #include <iostream>
@@ -23,12 +23,15 @@ int parse_boxes(std::string_view text) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  terrview::CityBenchOptions options;
-  if (argc > 1) options.boxes = parse_boxes(argv[1]);
+  terrview::City city;
+  if (argc > 1) city.boxes = parse_boxes(argv[1]);
   terrview::write_thesis_table(std::cout);
-  terrview::write_city_tables(options, std::cout);
-  options.relief_m = 300;
-  terrview::write_city_tables(options, std::cout);
+  terrview::write_city_tables(city, std::cout);
+  city.relief_m = 300;
+  terrview::write_city_tables(city, std::cout);
+  city.relief_m = 0;
+  city.apart = 8;
+  terrview::write_city_tables(city, std::cout);
 } catch (const terrview::InputError& error) {
   std::cerr << "terrview-bench-objects: " << error.what() << '\n';
   return 2;

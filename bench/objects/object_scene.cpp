@@ -9,15 +9,31 @@
 #include "render/objects/box.h"
 
 namespace terrview {
-double city_extent_m(int boxes) { return std::sqrt(1000.0 * boxes); }
+namespace {
 
-Objects city_scene(int boxes, double relief_m) {
+constexpr double kTown_m = 1000;
+
+double extent_m(const City& city) { return std::sqrt(1000.0 * city.boxes); }
+
+// How far the town of a coordinate is moved.
+double moved_m(const City& city, double at_m) {
+  return (city.apart - 1) * kTown_m * std::floor(at_m / kTown_m);
+}
+
+}  // namespace
+
+double City::middle_m() const {
+  const double at_m = extent_m(*this) / 2;
+  return at_m + moved_m(*this, at_m);
+}
+
+Objects city_scene(const City& city) {
   UniformRandom random(7);
-  const double extent_m = city_extent_m(boxes);
   Objects objects;
-  for (int i = 0; i < boxes; ++i) {
-    glm::dvec3 low(random(0, extent_m), random(0, extent_m), 0);
-    low.z = relief_m / 2 * (std::sin(low.x / 700) + std::sin(low.y / 900));
+  for (int i = 0; i < city.boxes; ++i) {
+    glm::dvec3 low(random(0, extent_m(city)), random(0, extent_m(city)), 0);
+    low += glm::dvec3(moved_m(city, low.x), moved_m(city, low.y), 0);
+    low.z = city.relief_m / 2 * (std::sin(low.x / 700) + std::sin(low.y / 900));
     const double width_m = random(6, 20);
     const double depth_m = random(6, 20);
     objects.push_back(

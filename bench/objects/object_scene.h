@@ -13,9 +13,18 @@
 namespace terrview {
 
 // Boxes of 6 to 20 m and 3 to 30 m height at random in a square of 1000 m^2 for each; their ground
-// rises and falls by `relief_m`.
-[[nodiscard]] Objects city_scene(int boxes, double relief_m);
-[[nodiscard]] double city_extent_m(int boxes);
+// rises and falls by `relief_m`. The square is cut into towns of a kilometre that are set apart, so
+// that a town begins every `apart` kilometres.
+struct City {
+  int boxes = 100000;
+  double relief_m = 0;
+  double apart = 1;
+
+  // A coordinate in the middle of the square, or of a town.
+  [[nodiscard]] double middle_m() const;
+};
+
+[[nodiscard]] Objects city_scene(const City& city);
 
 struct ObjectView {
   std::string name;

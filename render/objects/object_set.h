@@ -18,6 +18,14 @@ struct ObjectHit {
   int object;  // its index
 };
 
+// Whether a hit comes before the nearest so far: of several at one distance, that of the first
+// object does.
+[[nodiscard]] inline bool comes_before(const SurfaceHit& hit, int object,
+                                       const std::optional<ObjectHit>& nearest) {
+  if (!nearest || hit.distance_m < nearest->surface.distance_m) return true;
+  return hit.distance_m == nearest->surface.distance_m && object < nearest->object;
+}
+
 // The work of a query.
 struct ObjectCounts {
   std::int64_t tests = 0;  // objects compared with the ray

@@ -1,16 +1,13 @@
 #include "render/objects/rectangle_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <compare>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 
-#include <glm/common.hpp>
-
+#include "render/objects/entry_order.h"
+#include "render/objects/object_bounds.h"
 #include "render/objects/plane_order.h"
 #include "render/objects/rectangle_course.h"
 #include "render/objects/rectangle_ranks.h"
@@ -18,26 +15,9 @@
 namespace terrview {
 namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
-
-// Where a ray enters the bounds of a group.
-struct Entry {
-  double at_m;
-  int group;
-
-  friend auto operator<=>(const Entry&, const Entry&) = default;
-};
-
 // Tiles that a ray goes through before it looks farther ahead: looking costs as much as some of
 // them.
 constexpr int kPatience = 4;
-
-Box around(std::span<const Box> boxes) {
-  Box sum = boxes.front();
-  for (const Box& box : boxes)
-    sum = {glm::min(sum.lowest_m, box.lowest_m), glm::max(sum.highest_m, box.highest_m)};
-  return sum;
-}
 
 std::vector<int> neighbours_together(const std::vector<Box>& boxes, const Box& bounds) {
   const int bits = order_bits(boxes.size());
@@ -64,9 +44,7 @@ std::vector<Range> ranges(const std::vector<Box>& boxes, int axis) {
 
 RectangleMap::RectangleMap(Objects objects) : ObjectSet(std::move(objects)) {
   assert(!this->objects().empty());
-  std::vector<Box> boxes;
-  boxes.reserve(this->objects().size());
-  for (const auto& object : this->objects()) boxes.push_back(object->bounds());
+  const std::vector<Box> boxes = bounds_of(this->objects());
   bounds_ = around(boxes);
   order_ = neighbours_together(boxes, bounds_);
   boxes_.reserve(boxes.size());
@@ -90,8 +68,24 @@ bool RectangleMap::build() {
   if (!partition) return false;
   tiles_ = link(*partition, x.lines, y.lines);
   lists_ = std::move(partition->lists);
-  cells_.emplace(boxes, bounds_, tiles_.tiles);
+  cells_.emplace(boxes, bounds_);
+  lay_tiles();
   return true;
+}
+
+void RectangleMap::lay_tiles() {
+  tiles_at_.resize(cells_->place(cells_->size() - 1) + 1);
+  int number = 0;
+  for (const Tile& tile : tiles_.tiles) {
+    const auto first = [&](int axis, std::size_t side) {
+      return cells_->first_centre(axis, static_cast<double>(tile.border_m[side]));
+    };
+    const int east = first(0, 1);
+    const int north = first(1, 3);
+    for (int j = first(1, 2); j < north; ++j)
+      for (int i = first(0, 0); i < east; ++i) tiles_at_[cells_->place({i, j})] = number;
+    ++number;
+  }
 }
 
 // Calls visit(object, leave_m) for the objects whose bounds the ray enters before leave_m, in the
@@ -106,7 +100,7 @@ void RectangleMap::walk(const Ray& ray, ObjectCounts* counts, const Visit& visit
   const Course course(tiles_, slabs);
   Stretch here = *whole;
   const glm::dvec2 entry_m(slabs.at_m(0, here.enter_m), slabs.at_m(1, here.enter_m));
-  int at = course.tile_at(here.enter_m, cells_->tile_near(entry_m), steps);
+  int at = course.tile_at(here.enter_m, tiles_at_[cells_->place(cells_->near(entry_m))], steps);
   for (int patience = kPatience; at != Tile::kEdge; ++steps) {
     const Tile& tile = course.tile(at);
     const Course::Exit exit = course.exit(tile);
@@ -124,7 +118,7 @@ void RectangleMap::walk(const Ray& ray, ObjectCounts* counts, const Visit& visit
     if (!next) break;
     if (next->enter_m > here.enter_m) {
       here.enter_m = next->enter_m;
-      at = course.tile_at(here.enter_m, cells.tile(), steps);
+      at = course.tile_at(here.enter_m, tiles_at_[cells.cell()], steps);
     } else {
       at = course.beyond(tile, exit.side, exit.passing);
     }
@@ -138,28 +132,12 @@ template <class Visit>
 bool RectangleMap::meet(const SlabRay& slabs, int over, const Stretch& here, double& leave_m,
                         const Visit& visit) const {
   const auto& boxes = group_size_ > 1 ? group_boxes_ : boxes_;
-  const auto entry = [&](int group) {
-    const auto stretch = slabs.within(boxes[static_cast<std::size_t>(group)], 0, leave_m);
-    const bool is_here =
-        stretch && stretch->enter_m >= here.enter_m && stretch->enter_m <= here.leave_m;
-    return Entry{is_here ? stretch->enter_m : kNowhere, group};
-  };
-  if (over >= 0) return entry(over).at_m < kNowhere && meet(slabs, over, leave_m, visit);
-  const std::span<const int> list = lists_[-2 - over];
-  // Some at a time: most lists are short.
-  std::array<Entry, 16> entries;
-  for (std::size_t begin = 0; begin < list.size(); begin += entries.size()) {
-    std::size_t count = 0;
-    for (const int group : list.subspan(begin, std::min(entries.size(), list.size() - begin))) {
-      const Entry it = entry(group);
-      if (it.at_m < kNowhere) entries[count++] = it;
-    }
-    const std::span<Entry> met(entries.data(), count);
-    std::ranges::sort(met);
-    for (const Entry& it : met)
-      if (it.at_m <= leave_m && meet(slabs, it.group, leave_m, visit)) return true;
-  }
-  return false;
+  const std::span<const int> list = over >= 0 ? std::span<const int>(&over, 1) : lists_[-2 - over];
+  return visit_in_order(
+      slabs, list, here, leave_m,
+      [&](int group) -> const Box& { return boxes[static_cast<std::size_t>(group)]; },
+      [](int group) { return group; },
+      [&](int group) { return meet(slabs, group, leave_m, visit); });
 }
 
 template <class Visit>
@@ -180,10 +158,7 @@ std::optional<ObjectHit> RectangleMap::first_hit(const Ray& ray, ObjectCounts* c
     ++tests;
     const auto hit = objects()[static_cast<std::size_t>(object)]->first_hit(ray);
     if (!hit) return false;
-    const bool is_nearer =
-        !nearest || hit->distance_m < nearest->surface.distance_m ||
-        (hit->distance_m == nearest->surface.distance_m && object < nearest->object);
-    if (is_nearer) nearest = ObjectHit{*hit, object};
+    if (comes_before(*hit, object, nearest)) nearest = ObjectHit{*hit, object};
     leave_m = nearest->surface.distance_m;
     return false;
   });
@@ -210,7 +185,7 @@ std::size_t RectangleMap::empty_rectangles() const {
 std::size_t RectangleMap::bytes() const {
   const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return of(order_) + of(boxes_) + of(group_boxes_) + lists_.bytes() + of(tiles_.tiles) +
-         of(tiles_.neighbours) + cells_->bytes();
+         of(tiles_.neighbours) + of(tiles_at_) + cells_->bytes();
 }
 
 }  // namespace terrview

@@ -6,7 +6,7 @@
 // tests an object in the rectangle in which it enters the object's bounds, and stops where it
 // leaves a rectangle behind its nearest hit. (Algorithm 3-1 as printed stops at a hit with whatever
 // overlaps the current rectangle, and can miss a nearer object farther on.) The ray walks only
-// where it is at the height of objects (rectangle_cells.h).
+// where it is at the height of objects (height_cells.h).
 //
 // Borders are integers (rectangle_ranks.h) and a ray passes them in the order of one monotonic
 // function (slab_ray.h), so that the map needs no tolerance: it finds what testing every object
@@ -18,8 +18,8 @@
 #include <optional>
 #include <vector>
 
+#include "render/objects/height_cells.h"
 #include "render/objects/object_set.h"
-#include "render/objects/rectangle_cells.h"
 #include "render/objects/rectangle_partition.h"
 #include "render/objects/rectangle_tiles.h"
 #include "render/objects/slab_ray.h"
@@ -44,6 +44,7 @@ class RectangleMap : public ObjectSet {
 
  private:
   bool build();
+  void lay_tiles();
 
   template <class Visit>
   void walk(const Ray& ray, ObjectCounts* counts, const Visit& visit) const;
@@ -60,7 +61,8 @@ class RectangleMap : public ObjectSet {
   std::vector<Box> group_boxes_;  // none where each object is a group
   IntLists lists_;                // of groups
   Tiles tiles_;
-  std::optional<RectangleCells> cells_;
+  std::optional<HeightCells> cells_;
+  std::vector<int> tiles_at_;  // the tile at the centre of each cell
 };
 
 }  // namespace terrview

@@ -1,4 +1,5 @@
-// Promises of render/objects/rectangle_map.h: what testing every object finds, bit for bit.
+// Promises of render/objects/rectangle_map.h and cell_map.h: what testing every object finds, bit
+// for bit.
 #include "render/objects/rectangle_map.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <string>
 
 #include "render/objects/box.h"
+#include "render/objects/cell_map.h"
 #include "render/objects/make_object_set.h"
 #include "tests/render/objects/random_objects.h"
 
@@ -61,13 +63,23 @@ Objects boxes(std::initializer_list<Box> list) {
   return objects;
 }
 
+template <class Map>
+class MapOfObjects : public testing::Test {};
+using Maps = testing::Types<RectangleMap, CellMap>;
+TYPED_TEST_SUITE(MapOfObjects, Maps);
+
+template <class Map>
+class MapOfObjectsLong : public testing::Test {};
+TYPED_TEST_SUITE(MapOfObjectsLong, Maps);
+
 // Compares in `scenes` scenes of each kind with `rays` rays each.
+template <class Map>
 void compare_with_every_object(std::uint64_t seed, int scenes, int rays) {
   for (int scene = 0; scene < scenes; ++scene) {
     RandomObjects random(seed + static_cast<std::uint64_t>(scene));
     const int size = 1 + scene % 7;
-    const RectangleMap lattice(random.on_lattice(1 + scene % 23, size));
-    const RectangleMap scattered(random.scattered(1 + scene % 60, 1 + scene % 30));
+    const Map lattice(random.on_lattice(1 + scene % 23, size));
+    const Map scattered(random.scattered(1 + scene % 60, 1 + scene % 30));
     for (int i = 0; i < rays; ++i) {
       ASSERT_EQ(fault(lattice, random.lattice_ray(size)), "") << to_string(lattice.objects());
       ASSERT_EQ(fault(scattered, random.ray()), "") << "scattered scene " << scene;
@@ -75,32 +87,41 @@ void compare_with_every_object(std::uint64_t seed, int scenes, int rays) {
   }
 }
 
-TEST(RectangleMap, FindsWhatTestingEveryObjectFinds) { compare_with_every_object(1, 250, 200); }
+TYPED_TEST(MapOfObjects, FindsWhatTestingEveryObjectFinds) {
+  compare_with_every_object<TypeParam>(1, 250, 200);
+}
 
-TEST(RectangleMap, FindsItAmongThousands) {
+TYPED_TEST(MapOfObjects, FindsItAmongThousands) {
   RandomObjects random(9);
-  const RectangleMap map(random.scattered(3000, 2));
+  const TypeParam map(random.scattered(3000, 2));
   for (int i = 0; i < 500; ++i) ASSERT_EQ(fault(map, random.ray()), "");
 }
 
-TEST(RectangleMapLong, FindsWhatTestingEveryObjectFinds) {
-  compare_with_every_object(1000000, 5000, 1000);
+TYPED_TEST(MapOfObjectsLong, FindsWhatTestingEveryObjectFinds) {
+  compare_with_every_object<TypeParam>(1000000, 5000, 1000);
 }
 
-RC_GTEST_PROP(RectangleMapProperty, FindsWhatTestingEveryObjectFinds, ()) {
+template <class Map>
+void compare_on_lattice() {
   RandomObjects random(*rc::gen::arbitrary<std::uint64_t>());
   const int size = *rc::gen::inRange(1, 6);
-  const RectangleMap map(random.on_lattice(*rc::gen::inRange(1, 12), size));
+  const Map map(random.on_lattice(*rc::gen::inRange(1, 12), size));
   for (int i = 0; i < 50; ++i) {
     const std::string message = fault(map, random.lattice_ray(size));
     RC_LOG() << to_string(map.objects());
     RC_ASSERT(message == "");
   }
 }
+RC_GTEST_PROP(RectangleMapProperty, FindsWhatTestingEveryObjectFinds, ()) {
+  compare_on_lattice<RectangleMap>();
+}
+RC_GTEST_PROP(CellMapProperty, FindsWhatTestingEveryObjectFinds, ()) {
+  compare_on_lattice<CellMap>();
+}
 
 // The ray meets B inside of A's rectangle's list, and D, nearer, only in a later rectangle.
-TEST(RectangleMap, AHitBeyondTheCurrentRectangleHidesNoNearerObject) {
-  const RectangleMap map(
+TYPED_TEST(MapOfObjects, AHitBeyondTheCurrentRectangleHidesNoNearerObject) {
+  const TypeParam map(
       boxes({{{0, 0, 0}, {4, 4, 0.5}}, {{3, 3, 0}, {10, 10, 9}}, {{4.5, 2, 0}, {5.5, 2.8, 9}}}));
   const Ray ray{{0, 0, 1}, {4, 2, 0}};
   const auto hit = map.first_hit(ray);
@@ -119,12 +140,12 @@ int entered(const Objects& objects, const Ray& ray, double distance_m) {
   return count;
 }
 
-TEST(RectangleMap, TestsNoObjectTwiceAndFewBeyondTheHit) {
+TYPED_TEST(MapOfObjects, TestsNoObjectTwiceAndFewBeyondTheHit) {
   std::int64_t tests = 0;
   std::int64_t entered_before = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     RandomObjects random(seed);
-    const RectangleMap map(random.scattered(60, 40));
+    const TypeParam map(random.scattered(60, 40));
     for (int i = 0; i < 100; ++i) {
       const Ray ray = random.ray();
       ObjectCounts counts;
@@ -138,14 +159,14 @@ TEST(RectangleMap, TestsNoObjectTwiceAndFewBeyondTheHit) {
   EXPECT_LE(static_cast<double>(tests), 1.01 * static_cast<double>(entered_before));
 }
 
-TEST(RectangleMap, LooksAtFewRectanglesOfManyThatARayPassesOver) {
+TYPED_TEST(MapOfObjects, LooksAtFewPlacesOfManyThatARayPassesOver) {
   Objects objects;
   for (int i = 0; i < 10000; ++i) {
     const glm::dvec3 low(10 * (i % 100), 10 * (i / 100), 0);
     objects.push_back(std::make_shared<BoxObject>(Box{low, low + glm::dvec3(5, 5, 3)}));
   }
   objects.push_back(std::make_shared<BoxObject>(Box{{990, 990, 0}, {995, 995, 300}}));
-  const RectangleMap map(objects);
+  const TypeParam map(objects);
   ObjectCounts counts;
   const auto hit = map.first_hit({{-10, -10, 280}, {1, 1, -0.01}}, &counts);
   ASSERT_TRUE(hit);
@@ -154,14 +175,14 @@ TEST(RectangleMap, LooksAtFewRectanglesOfManyThatARayPassesOver) {
 }
 
 // The walls are where the map's cells of heights border on each other.
-TEST(RectangleMap, FindsWhatARayGrazesFarAhead) {
+TYPED_TEST(MapOfObjects, FindsWhatARayGrazesFarAhead) {
   Objects objects;
   for (int i = 0; i < 100; ++i) {
     const glm::dvec3 low(10 * (i % 10), 10 * (i / 10), 0);
     const double height_m = i == 95 ? 5 : 1;
     objects.push_back(std::make_shared<BoxObject>(Box{low, low + glm::dvec3(10, 10, height_m)}));
   }
-  const RectangleMap map(objects);
+  const TypeParam map(objects);
   for (const double x : {50, 55, 60})
     for (const double y : {-5, 105}) {
       const Ray ray{{x, y, 3}, {0, y < 0 ? 1 : -1, 0}};
@@ -192,14 +213,14 @@ TEST(RectangleMap, KnowsItsRectangles) {
 }
 
 // A grid of boxes that share walls: no ray from above slips between two.
-TEST(RectangleMap, NoRaySlipsBetweenBoxesThatTouch) {
+TYPED_TEST(MapOfObjects, NoRaySlipsBetweenBoxesThatTouch) {
   Objects objects;
   for (int i = 0; i < 100; ++i) {
     const glm::dvec3 low(i % 10 / 10.0, i / 10 / 10.0, 0);
     const glm::dvec3 high((i % 10 + 1) / 10.0, (i / 10 + 1) / 10.0, 1);
     objects.push_back(std::make_shared<BoxObject>(Box{low, high}));
   }
-  const RectangleMap map(objects);
+  const TypeParam map(objects);
   for (int i = 0; i <= 10; ++i)
     for (int j = 0; j <= 100; ++j) {
       const glm::dvec3 to(i / 10.0, j / 100.0, 1);
@@ -208,6 +229,22 @@ TEST(RectangleMap, NoRaySlipsBetweenBoxesThatTouch) {
         EXPECT_EQ(fault(map, {from, to - from}), "");
       }
     }
+}
+
+// A village in the corner of a wide plain with a few farms, and an even city.
+TEST(MakeObjectSet, TakesCellsForWhatIsSpreadEvenly) {
+  Objects village = RandomObjects(1).scattered(2000, 1);
+  const Box far{{20000, 20000, 0}, {20010, 20010, 5}};
+  EXPECT_NE(dynamic_cast<const CellMap*>(make_object_set(village).get()), nullptr);
+  village.push_back(std::make_shared<BoxObject>(far));
+  EXPECT_NE(dynamic_cast<const RectangleMap*>(make_object_set(village).get()), nullptr);
+  const Objects wide = RandomObjects(2).scattered(2000, 100);
+  EXPECT_NE(dynamic_cast<const RectangleMap*>(make_object_set(wide).get()), nullptr);
+}
+
+TEST(MakeObjectSet, HoldsObjectsInOnePlace) {
+  const Objects points(10, std::make_shared<BoxObject>(Box{{1, 1, 1}, {1, 1, 1}}));
+  EXPECT_EQ(fault(*make_object_set(points), {{0, 0, 0}, {1, 1, 1}}), "");
 }
 
 TEST(MakeObjectSet, HoldsAnyNumberOfObjects) {
