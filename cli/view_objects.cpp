@@ -1,5 +1,9 @@
 #include "cli/view_objects.h"
 
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
 #include "cli/add_option.h"
 #include "ingest/feature_attributes.h"
 #include "terrain/error.h"
@@ -30,7 +34,9 @@ void add_warnings(const VectorFile& file, ViewObjects& objects) {
     objects.messages.push_back("warning: " + warning);
 }
 
-void check_any(const VectorFile& file, const PlacedCounts& counts) {
+void check_any(const VectorFile& file, const PlacedCounts& counts, const std::string& wanted) {
+  if (counts.features > 0 && counts.without_area == counts.features)
+    throw InputError("'" + file.name + "': none of its features is " + wanted);
   if (counts.placed == 0 && counts.without_ground > 0)
     throw InputError("'" + file.name +
                      "': none of its features lies on the ground of the DEM: check its coordinate "
@@ -40,11 +46,12 @@ void check_any(const VectorFile& file, const PlacedCounts& counts) {
 void read_buildings(const ObjectOptions& options, const ViewFrame& frame, ViewObjects& objects) {
   const FootprintFile file = read_footprints(options.buildings, options.reading);
   const PlacedCounts counts = place_buildings(file, frame, options.placing, objects.placed);
-  check_any(file.file, counts);
+  check_any(file.file, counts,
+            "a polygon with an area: give footprints; points grow trees with --trees");
   objects.messages.push_back(summary(file.file, counts, "buildings") +
                              counted(counts.without_area, "without an area") +
                              counted(counts.upside_down, "no higher than their min_height") +
-                             counted(file.unread_heights, "with a height that is no number") +
+                             counted(file.unread_heights, "heights or sizes that are no numbers") +
                              counted(file.unknown_roofs, "with an unknown roof, made flat"));
   add_warnings(file.file, objects);
 }
@@ -52,11 +59,23 @@ void read_buildings(const ObjectOptions& options, const ViewFrame& frame, ViewOb
 void read_trees(const ObjectOptions& options, const ViewFrame& frame, ViewObjects& objects) {
   const TreeFile file = terrview::read_trees(options.trees);
   const PlacedCounts counts = place_trees(file, frame, objects.placed);
-  check_any(file.file, counts);
+  check_any(file.file, counts, "a point: give points; polygons are raised with --buildings");
   objects.messages.push_back(summary(file.file, counts, "trees") +
                              counted(counts.without_area, "that are no points") +
-                             counted(file.unread_heights, "with a height that is no number"));
+                             counted(file.unread_heights, "heights or sizes that are no numbers"));
   add_warnings(file.file, objects);
+}
+
+// A ray from within an object leaves it first.
+void warn_of_eye_within(ViewObjects& objects) {
+  if (!objects.scene) return;
+  const glm::dvec3 up(0, 0, 1);
+  const auto hit = objects.scene->set->first_hit({.origin_m = {0, 0, 0}, .direction = up});
+  if (!hit || glm::dot(hit->surface.normal, up) <= 0) return;
+  const std::int32_t id = objects.scene->looks[static_cast<std::size_t>(hit->object)].id;
+  const auto feature = std::ranges::find(objects.placed.features, id, &PlacedFeature::id);
+  objects.messages.push_back("warning: the eye is within " + feature->kind + " " +
+                             std::to_string(feature->number) + ": it sees that from inside");
 }
 
 // height, a colour, or the name of a field.
@@ -127,6 +146,8 @@ ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame) {
   ViewObjects objects;
   if (!options.buildings.empty()) read_buildings(options, frame, objects);
   if (!options.trees.empty()) read_trees(options, frame, objects);
+  objects.scene = objects.placed.scene_objects();
+  warn_of_eye_within(objects);
   return objects;
 }
 

@@ -1,6 +1,7 @@
 // What stands on the ground of a view.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ void check_objects(const ObjectOptions& options);
 
 struct ViewObjects {
   PlacedObjects placed;
+  std::shared_ptr<const SceneObjects> scene;  // null if there is none
   std::vector<std::string> messages;  // what became of the files' features, a line each
 };
 

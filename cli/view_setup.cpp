@@ -178,7 +178,7 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   const Camera camera = make_camera(resolved);
   scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
   ViewObjects objects = read_objects(options.objects, frame);
-  scene.objects = objects.placed.scene_objects();
+  scene.objects = objects.scene;
   return {std::move(frame), resolved, sun, camera, std::move(scene), std::move(objects)};
 }
 

@@ -54,9 +54,13 @@ void add_polygons(const VectorFeature& feature, const OGRGeometry& geometry,
   }
 }
 
-std::optional<double> length_in(const VectorFeature& feature, const Names& names) {
+// Adds to `unread` where that is no length.
+std::optional<double> length_in(const VectorFeature& feature, const Names& names, int& unread) {
   const auto text = feature.text(names);
-  return text ? length_of(*text) : std::nullopt;
+  if (!text) return std::nullopt;
+  const auto length_m = length_of(*text);
+  unread += length_m ? 0 : 1;
+  return length_m;
 }
 
 void check_height(const VectorFeature& feature, double height_m) {
@@ -81,7 +85,7 @@ std::optional<double> height_in(const VectorFeature& feature, const FootprintOpt
     check_height(feature, *height_m);
     return height_m;
   }
-  const auto levels = length_in(feature, {"building:levels", "levels"});
+  const auto levels = length_in(feature, {"building:levels", "levels"}, unread);
   if (!levels || *levels <= 0) return std::nullopt;
   check_height(feature, kLevel_m * *levels);
   return kLevel_m * *levels;
@@ -104,14 +108,14 @@ std::optional<glm::vec3> color_in(const VectorFeature& feature, const Names& nam
   return text ? color_of(*text) : std::nullopt;
 }
 
-void read_roof(const VectorFeature& feature, Footprint& footprint, int& unknown_roofs) {
+void read_roof(const VectorFeature& feature, Footprint& footprint, FootprintFile& file) {
   const auto shape = feature.text(Names{"roof:shape"});
   if (shape) {
     const auto known = roof_shape_of(*shape);
     footprint.roof = known.value_or(RoofShape::flat);
-    unknown_roofs += known ? 0 : 1;
+    file.unknown_roofs += known ? 0 : 1;
   }
-  footprint.roof_height_m = length_in(feature, {"roof:height"});
+  footprint.roof_height_m = length_in(feature, {"roof:height"}, file.unread_heights);
   const auto azimuth = feature.text(Names{"roof:direction"});
   if (azimuth) footprint.roof_azimuth_deg = azimuth_deg_of(*azimuth);
   footprint.ridge_across = feature.text(Names{"roof:orientation"}) == "across";
@@ -124,11 +128,12 @@ Footprint footprint_of(const VectorFeature& feature, const FootprintOptions& opt
   footprint.number = feature.number();
   footprint.name = feature.text(Names{"name"}).value_or("");
   footprint.height_m = height_in(feature, options, file.unread_heights);
-  footprint.min_height_m = std::max(
-      0.0, length_in(feature, {"min_height", "building:min_height"})
-               .value_or(kLevel_m * length_in(feature, {"building:min_level"}).value_or(0)));
+  const auto min_height_m =
+      length_in(feature, {"min_height", "building:min_height"}, file.unread_heights);
+  const auto min_level = length_in(feature, {"building:min_level"}, file.unread_heights);
+  footprint.min_height_m = std::max(0.0, min_height_m.value_or(kLevel_m * min_level.value_or(0)));
   check_height(feature, footprint.min_height_m);
-  read_roof(feature, footprint, file.unknown_roofs);
+  read_roof(feature, footprint, file);
   const Names colors{"building:colour", "building:color", "colour", "color"};
   footprint.color =
       color_in(feature, options.color_field.empty() ? colors : Names{options.color_field});
@@ -168,11 +173,13 @@ TreeFile read_trees(const std::string& path) {
     tree.name = feature.text(Names{"name"}).value_or("");
     tree.place = checked(feature, geometry->toPoint()->getX(), geometry->toPoint()->getY());
     tree.height_m = height_in(feature, {}, result.unread_heights);
-    tree.crown_m = length_in(feature, {"diameter_crown", "crown_m", "crown"});
-    tree.trunk_m = length_in(feature, {"circumference"});
+    tree.crown_m =
+        length_in(feature, {"diameter_crown", "crown_m", "crown"}, result.unread_heights);
+    tree.trunk_m = length_in(feature, {"circumference"}, result.unread_heights);
     if (tree.trunk_m) check_height(feature, *tree.trunk_m);
     if (tree.crown_m) check_height(feature, *tree.crown_m);
-    tree.min_height_m = std::max(0.0, length_in(feature, {"min_height"}).value_or(0));
+    tree.min_height_m =
+        std::max(0.0, length_in(feature, {"min_height"}, result.unread_heights).value_or(0));
     check_height(feature, tree.min_height_m);
     tree.color = color_in(feature, {"colour", "color"});
     result.trees.push_back(std::move(tree));

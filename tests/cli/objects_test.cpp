@@ -63,13 +63,23 @@ TEST_F(ObjectsOfView, AreCountedInTheSummary) {
 
 TEST_F(ObjectsOfView, ThatCannotBeSeenAsTheyAreAreCountedInTheSummary) {
   write_text(path("u.geojson"), R"({"type":"FeatureCollection","features":[
-      {"type":"Feature","properties":{"height":10,"min_height":20},"geometry":{"type":"Polygon",
+      {"type":"Feature","properties":{"height":10,"min_height":20,"roof:height":"low"},"geometry":{"type":"Polygon",
        "coordinates":[[[360,200],[420,200],[420,240],[360,240],[360,200]]]}}]})");
   write_text(path("v.geojson"), R"({"type":"FeatureCollection","features":[
       {"type":"Feature","properties":{"height":"tall"},"geometry":{"type":"Point","coordinates":[500,250]}}]})");
-  EXPECT_TRUE(says(plain("--buildings u.geojson --trees v.geojson"),
-                   {"0 buildings", "1 no higher than their min_height",
-                    "1 trees (0 with a height, 1 without), 1 with a height that is no number"}));
+  EXPECT_TRUE(
+      says(plain("--buildings u.geojson --trees v.geojson"),
+           {"0 buildings", "1 no higher than their min_height",
+            "min_height, 1 heights or sizes that are no numbers",
+            "1 trees (0 with a height, 1 without), 1 heights or sizes that are no numbers"}));
+}
+
+TEST_F(ObjectsOfView, AroundTheEyeAreWarnedOf) {
+  write_text(path("around.geojson"), R"({"type":"Feature","properties":{"height":90},"geometry":
+      {"type":"Polygon","coordinates":[[[300,10],[450,10],[450,90],[300,90],[300,10]]]}})");
+  const std::string warning = "warning: the eye is within building 1";
+  EXPECT_TRUE(says(plain("--buildings around.geojson"), {warning}));
+  EXPECT_FALSE(says(plain("--buildings b.geojson"), {warning}));
 }
 
 TEST_F(ObjectsOfView, HaveTheirNumbersInLayersAndCsv) {
@@ -151,6 +161,8 @@ TEST_F(ObjectsOfView, ThatCannotBeAreRefusedInOneLine) {
   write_text(path("far.geojson"), R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon",
       "coordinates":[[[9000,0],[9010,0],[9010,10],[9000,0]]]}})");
   EXPECT_TRUE(says(run(words(start + "--buildings far.geojson")).err, {"none of its features"}));
+  EXPECT_TRUE(says(run(words(start + "--buildings t.geojson")).err, {"points grow trees"}));
+  EXPECT_TRUE(says(run(words(start + "--trees far.geojson")).err, {"polygons are raised"}));
 }
 
 }  // namespace
