@@ -21,7 +21,7 @@ void check_objects(const ObjectOptions& options);
 struct ViewObjects {
   PlacedObjects placed;
   std::shared_ptr<const SceneObjects> scene;  // null if there is none
-  std::vector<std::string> messages;  // what became of the files' features, a line each
+  std::vector<std::string> messages;          // what became of the files' features, a line each
 };
 
 // Throws InputError.
