@@ -20,8 +20,8 @@ float share_between(double low, double high, double x) {
 }  // namespace
 
 glm::vec3 natural_color(const NaturalGround& ground, double height_m, double slope_rad) {
-  static const glm::vec3 kMeadow = from_srgb8(104, 128, 66);
-  static const glm::vec3 kPasture = from_srgb8(138, 140, 88);
+  static const glm::vec3 kMeadow = from_srgb8(92, 120, 62);
+  static const glm::vec3 kPasture = from_srgb8(122, 132, 84);
   static const glm::vec3 kScree = from_srgb8(142, 135, 124);
   static const glm::vec3 kRock = from_srgb8(116, 111, 107);
   static const glm::vec3 kSnow = from_srgb8(240, 243, 248);
