@@ -33,6 +33,15 @@ HeightRange whole_range(const Terrain& terrain) {
   return whole;
 }
 
+// A grid that goes around the Earth may have two layers.
+std::vector<Dem> dem_of_each_layer(const Terrain& terrain, const std::vector<Dem>& dems) {
+  std::vector<Dem> of_layers;
+  for (const TerrainLayer& layer : terrain.layers())
+    of_layers.push_back(*std::find_if(dems.begin(), dems.end(),
+                                      [&](const Dem& dem) { return dem.grid == layer.grid; }));
+  return of_layers;
+}
+
 }  // namespace
 
 void add_ground_color_options(CLI::App& app, ViewOptions& options) {
@@ -85,7 +94,8 @@ void set_ground_colors(const ViewOptions& options, const std::vector<Dem>& dems,
     scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
   scene.contours.interval_m = options.contour_interval_m;
   if (!options.drape.empty())
-    scene.drape = read_drape(options.drape, dems, options.dem.memory_bytes);
+    scene.drape = read_drape(options.drape, dem_of_each_layer(*scene.terrain, dems),
+                             options.dem.memory_bytes);
 }
 
 }  // namespace terrview

@@ -19,7 +19,7 @@ void check_ground_colors(const ViewOptions& options);
 // The colours by slope and altitude that are asked for; none: a ramp's.
 [[nodiscard]] std::optional<NaturalGround> natural_ground(const ViewOptions& options);
 
-// Gives `scene`, whose terrain is known, its tints, drape and lines. Throws InputError.
+// Gives `scene`, whose terrain is that of `dems`, its tints, drape and lines. Throws InputError.
 void set_ground_colors(const ViewOptions& options, const std::vector<Dem>& dems, Scene& scene);
 
 }  // namespace terrview

@@ -154,11 +154,12 @@ Camera make_camera(const ResolvedView& view) {
 
 View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   const LaidWater laid = lay_water(options.water, dems);
-  ViewFrame frame(laid.lakes ? laid.lakes->dems : dems, *options.eye, frame_options(options));
-  const ResolvedView resolved = resolve_view(options, frame, dems);
+  const std::vector<Dem>& ground = laid.lakes ? laid.lakes->dems : dems;
+  ViewFrame frame(ground, *options.eye, frame_options(options));
+  const ResolvedView resolved = resolve_view(options, frame, ground);
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
-  Scene scene = make_scene(options, frame, sun, dems);
+  Scene scene = make_scene(options, frame, sun, ground);
   const Camera camera = make_camera(resolved);
   scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
   ViewObjects objects = read_objects(options.objects, frame);
