@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -11,6 +12,7 @@
 
 #include "ingest/crs_transform.h"
 #include "ingest/feature_attributes.h"
+#include "ingest/feature_places.h"
 #include "ingest/feature_polygons.h"
 #include "terrain/error.h"
 
@@ -31,39 +33,21 @@ std::optional<double> level_in(const VectorFeature& feature) {
   return level_m;
 }
 
-// The coordinates of a file in a DEM's grid.
-class ToPosts {
- public:
-  ToPosts(const VectorFile& file, const Dem& dem, std::span<const glm::dvec2> area) : dem_(dem) {
-    const glm::dvec2 last(dem.grid->columns - 1, dem.grid->rows - 1);
-    middle_x_ = dem.placement.at(0.5 * last).x;
-    if (file.crs_wkt.empty() || dem.crs_wkt.empty()) return;
-    from_.emplace(file.name, file.crs_wkt, area);
-    const std::array corners{dem.placement.at({0, 0}), dem.placement.at({last.x, 0}),
-                             dem.placement.at({0, last.y}), dem.placement.at(last),
-                             dem.placement.at(0.5 * last)};
-    to_.emplace(dem.name, dem.crs_wkt, corners);
+// From the coordinates of a file to a DEM's grid, in place; NaN for what is nowhere on the Earth.
+void to_posts(const VectorFile& file, const Dem& dem, std::span<glm::dvec2> points) {
+  const glm::dvec2 last(dem.grid->columns - 1, dem.grid->rows - 1);
+  const glm::dvec2 middle = dem.placement.at(0.5 * last);
+  if (!file.crs_wkt.empty() && !dem.crs_wkt.empty() && !points.empty()) {
+    const std::array area{dem.placement.at({0, 0}), dem.placement.at({last.x, 0}),
+                          dem.placement.at({0, last.y}), dem.placement.at(last), middle};
+    const CrsTransform crs(dem.name, dem.crs_wkt, area);
+    to_geographic(file, points);
+    crs.from_geographic(points);
+    if (const auto turn = crs.turn())
+      for (glm::dvec2& point : points) point.x += *turn * std::round((middle.x - point.x) / *turn);
   }
-
-  // In place; NaN for what is nowhere on the Earth.
-  void place(std::span<glm::dvec2> points) const {
-    if (from_) {
-      from_->to_geographic(points);
-      to_->from_geographic(points);
-    }
-    const auto turn = to_ ? to_->turn() : std::nullopt;
-    for (glm::dvec2& point : points) {
-      if (turn) point.x += *turn * std::round((middle_x_ - point.x) / *turn);
-      point = dem_.placement.posts(point);
-    }
-  }
-
- private:
-  const Dem& dem_;
-  double middle_x_;
-  std::optional<CrsTransform> from_;
-  std::optional<CrsTransform> to_;
-};
+  for (glm::dvec2& point : points) point = dem.placement.posts(point);
+}
 
 std::vector<glm::dvec2> corners_of(const WaterBodies& water) {
   std::vector<glm::dvec2> corners;
@@ -74,19 +58,10 @@ std::vector<glm::dvec2> corners_of(const WaterBodies& water) {
   return corners;
 }
 
-// Some points all over the file, for which its operation is chosen.
-std::vector<glm::dvec2> some_of(std::span<const glm::dvec2> points) {
-  constexpr std::size_t kSome = 64;
-  std::vector<glm::dvec2> some;
-  const std::size_t step = points.size() / kSome + 1;
-  for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
-  return some;
-}
-
 // Of each body, in the grid of `dem`.
 std::vector<Outlines> outlines_in(const Dem& dem, const WaterBodies& water) {
   std::vector<glm::dvec2> corners = corners_of(water);
-  ToPosts(water.file, dem, some_of(corners)).place(corners);
+  to_posts(water.file, dem, corners);
   std::vector<Outlines> all;
   auto next = corners.begin();
   for (const WaterBody& body : water.bodies) {

@@ -8,7 +8,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/drape.h"
+#include "render/objects/level_plane.h"
+#include "render/objects/prism.h"
+#include "render/objects/scene_objects.h"
 #include "terrain/view_transform.h"
 #include "tests/render/hills.h"
 
@@ -28,6 +30,25 @@ HeightGrid basin_grid() {
   });
 }
 
+// Towers on the slopes above the basin.
+std::shared_ptr<const SceneObjects> towers(const Terrain& terrain) {
+  auto all = std::make_shared<SceneObjects>();
+  Objects objects;
+  for (int i = -4; i <= 4; ++i) {
+    const glm::dvec2 middle_m(500 * i, 4900);
+    const Polygon::Ring ring{middle_m + glm::dvec2(-80, -80), middle_m + glm::dvec2(80, -80),
+                             middle_m + glm::dvec2(80, 80), middle_m + glm::dvec2(-80, 80)};
+    const double ground_m = terrain.ground_at(middle_m)->scene_height_m;
+    objects.push_back(std::make_shared<Prism>(
+        Polygon({&ring, 1}), PrismShape{.level = level_plane(terrain.frame(), middle_m, ground_m),
+                                        .base_m = -30,
+                                        .roof = {.eaves_m = 300}}));
+    all->looks.push_back({i + 10, {0.7F, 0.2F, 0.6F}, {0.2F, 0.2F, 0.6F}});
+  }
+  all->set = std::make_shared<ObjectList>(std::move(objects));
+  return all;
+}
+
 Scene basin(double eye_height_m) {
   const Place place{.eye_uv = {60.3, 100.2}, .spacing_m = {100, 100}, .eye_height_m = eye_height_m};
   Scene scene;
@@ -35,6 +56,7 @@ Scene basin(double eye_height_m) {
       std::make_shared<Terrain>(make_terrain(basin_grid(), place, SurfaceModel::hyperboloid));
   scene.tints = {.stops = {{200, {0.1F, 0.4F, 0.1F}}, {700, {0.9F, 0.6F, 0.5F}}}};
   scene.light.towards_sun = sun_at(240, 20);
+  scene.objects = towers(*scene.terrain);
   return scene;
 }
 
@@ -69,6 +91,7 @@ TEST(Water, MirrorsTheSceneAsItIsSeenFromTheMirroredEye) {
     const Image mirrored = render(below, pitched(-pitch_deg)).image;
     int water = 0;
     int ground = 0;
+    int built = 0;
     int wrong = 0;
     for (int row = 0; row < kSize_px.y; ++row)
       for (int column = 0; column < kSize_px.x; ++column) {
@@ -82,10 +105,13 @@ TEST(Water, MirrorsTheSceneAsItIsSeenFromTheMirroredEye) {
         const glm::vec3 expected = share * mirrored.at(column, kSize_px.y - 1 - row);
         if (glm::distance(seen.image.at(column, row), expected) > 1e-4F) ++wrong;
         const Ray from_below{{0, 0, 0}, {ray.x, ray.y, -ray.z}};
+        const auto tower = below.objects->set->first_hit(from_below);
         if (below.terrain->first_hit(from_below)) ++ground;
+        if (tower) ++built;
       }
     EXPECT_GT(water, 2000);
     EXPECT_GT(ground, 300);
+    EXPECT_GT(built, 50);
     // Where the edge of a shadow runs through a ray.
     EXPECT_LE(wrong, water / 500) << pitch_deg;
   }
@@ -100,7 +126,7 @@ TEST(Water, BeginsWhereTheGroundComesBelowItsLevel) {
     const PixelSample& sample = frame.samples.pixels()[i];
     const PixelSample& bed = dry.samples.pixels()[i];
     ASSERT_EQ(sample.object_id, bed.object_id);
-    if (bed.object_id == PixelSample::kNothing) continue;
+    if (bed.object_id != PixelSample::kGround) continue;
     const double bed_m = bed.position_m.z + kEye_m;
     if (bed_m > kLevel_m) {
       EXPECT_EQ(sample.position_m, bed.position_m);
@@ -224,7 +250,8 @@ TEST(Water, IsTheSameForAnyNumberOfThreadsAndAnyOrderOfRays) {
   Scene scene = flooded(basin(kEye_m), kLevel_m);
   scene.light.sun_radius_rad = 0.004;
   const auto picture = [&](int threads, Coherence coherence) {
-    return render(scene, pitched(-5), {.threads = threads, .coherence = coherence, .samples = 0})
+    return render(scene, Camera({.pitch_rad = -5 * kRadians, .size_px = {48, 36}}),
+                  {.threads = threads, .coherence = coherence, .samples = 0})
         .image.pixels();
   };
   const auto one = picture(1, Coherence::on);
