@@ -5,9 +5,11 @@
 #include "cli/command_line.h"
 
 #include "cli/camera_json.h"
+#include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
 #include "cli/view_setup.h"
+#include "cli/view_water.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -82,6 +84,8 @@ void prepare(ViewOptions& options) {
   check_sampling(options);
   check_palette(options);
   check_objects(options.objects);
+  check_ground_colors(options);
+  check_water(options.water);
   const ResolvedView known = known_view(options);
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera

@@ -54,7 +54,8 @@ std::unique_ptr<OutputFile> ViewFiles::claim(const std::string& path, const View
   if (!claimed_.insert(std::filesystem::absolute(path).lexically_normal()).second)
     throw InputError("'" + path + "': named for two outputs: give each a name of its own");
   std::vector<std::string> inputs = options.dems;
-  inputs.insert(inputs.end(), {options.objects.buildings, options.objects.trees, options.drape});
+  inputs.insert(inputs.end(), {options.objects.buildings, options.objects.trees, options.drape,
+                               options.water.file});
   for (const std::string& input : inputs) {
     std::error_code not_both_exist;
     if (std::filesystem::equivalent(path, input, not_both_exist))

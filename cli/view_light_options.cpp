@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "cli/add_option.h"
-#include "terrain/error.h"
 
 namespace terrview {
 namespace {
@@ -45,6 +44,8 @@ void add_color(CLI::App& app, const std::string& name, std::optional<glm::vec3>&
       ->type_name("R,G,B");
 }
 
+}  // namespace
+
 void add_air_options(CLI::App& app, AirOptions& air) {
   auto* visibility = add_parsed(
                          app, "--visibility",
@@ -65,8 +66,6 @@ void add_air_options(CLI::App& app, AirOptions& air) {
       "Blur that grows with distance: pixels at the visibility (default 0)")
       ->type_name("S");
 }
-
-}  // namespace
 
 void add_sampling_options(CLI::App& app, ViewOptions& options) {
   auto* samples = app.add_option("--samples", options.sampling.samples,
@@ -95,23 +94,6 @@ void add_light_options(CLI::App& app, ViewOptions& options) {
   add_choice<NormalKind>(app, "--normals", options.normals,
                          {{"smooth", NormalKind::smooth}, {"facet", NormalKind::facet}},
                          "Light smooth ground (default) or its facets");
-  app.add_option(
-         "--colors", options.colors,
-         "Colours by altitude: gdaldem color-relief text or a QGIS colour map, or their name")
-      ->type_name("alpine|arid|polar|grey|FILE");
-  app.add_option("--drape", options.drape,
-                 "A georeferenced picture over the ground: anything GDAL opens with 8 or 16 bits")
-      ->type_name("IMAGE");
-  add_parsed(
-      app, "--contours",
-      [&](const std::string& text) {
-        options.contour_interval_m = parse_number("--contours", text);
-        if (!(options.contour_interval_m >= 0.01 && options.contour_interval_m <= 100'000))
-          throw InputError("--contours: give metres between lines, from 0.01 to 100000");
-      },
-      "Contour lines, so many metres of height apart")
-      ->type_name("M");
-  add_air_options(app, options.air);
 }
 
 }  // namespace terrview

@@ -4,8 +4,8 @@
 
 namespace terrview {
 
-// The options of light, colours and air.
 void add_light_options(CLI::App& app, ViewOptions& options);
+void add_air_options(CLI::App& app, AirOptions& air);
 
 // The options that say how many rays are traced, and in which order.
 void add_sampling_options(CLI::App& app, ViewOptions& options);

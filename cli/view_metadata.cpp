@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
+#include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
+#include "cli/view_water.h"
 
 namespace terrview {
 namespace {
@@ -83,6 +85,20 @@ Json palette_json(const PaletteOptions& options) {
   return json;
 }
 
+Json natural_json(const NaturalGround& natural) {
+  return {{"natural",
+           {{"snow_line_m", natural.snow_line_m},
+            {"rock_slope_deg", natural.rock_slope_rad * 180 / std::numbers::pi}}}};
+}
+
+Json water_json(const WaterOptions& options) {
+  Json json;
+  if (options.level_m) json["level_m"] = *options.level_m;
+  if (!options.file.empty()) json["file"] = file_name(options.file);
+  if (options.color) json["color"] = {options.color->x, options.color->y, options.color->z};
+  return json;
+}
+
 }  // namespace
 
 std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
@@ -111,9 +127,13 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["surface"] = name_of(options.surface);
   if (options.coherence == Coherence::neighbours) json["coherence"] = "neighbours";
   json["normals"] = options.normals == NormalKind::facet ? "facet" : "smooth";
-  if (!options.colors.empty()) json["colors"] = file_name(options.colors);
+  if (const auto natural = natural_ground(options))
+    json["colors"] = natural_json(*natural);
+  else if (!options.colors.empty())
+    json["colors"] = file_name(options.colors);
   if (!options.drape.empty()) json["drape"] = file_name(options.drape);
   if (options.contour_interval_m > 0) json["contours"] = options.contour_interval_m;
+  if (has_water(options.water)) json["water"] = water_json(options.water);
   if (wants_palette(options.palette)) json["palette"] = palette_json(options.palette);
   // File names may be no UTF-8.
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);

@@ -2,9 +2,11 @@
 
 #include "cli/add_option.h"
 #include "cli/output_options.h"
+#include "cli/view_ground.h"
 #include "cli/view_light_options.h"
 #include "cli/view_objects.h"
 #include "cli/view_sky.h"
+#include "cli/view_water.h"
 
 namespace terrview {
 namespace {
@@ -144,6 +146,9 @@ void add_view_options(CLI::App& app, ViewOptions& options) {
   add_projection_options(app, options);
   add_ground_options(app, options);
   add_light_options(app, options);
+  add_ground_color_options(app, options);
+  add_water_options(app, options.water);
+  add_air_options(app, options.air);
   add_view_sky_options(app, options.sky);
   add_object_options(app, options.objects);
   add_sampling_options(app, options);

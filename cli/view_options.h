@@ -55,6 +55,17 @@ struct ViewSkyOptions {
   double turbidity = 2.5;
 };
 
+struct NaturalOptions {
+  std::optional<double> snow_line_m;
+  std::optional<double> rock_slope_deg;
+};
+
+struct WaterOptions {
+  std::optional<double> level_m;
+  std::string file;
+  std::optional<glm::vec3> color;
+};
+
 struct ObjectOptions {
   std::string buildings;
   std::string trees;
@@ -98,8 +109,10 @@ struct ViewOptions {
   ObjectOptions objects;
   SamplingOptions sampling;
   std::string colors;
+  NaturalOptions natural;
   std::string drape;
   double contour_interval_m = 0;  // 0 = no contour lines
+  WaterOptions water;
   int threads = 0;
 
   PaletteOptions palette;

@@ -9,11 +9,10 @@
 #include <glm/geometric.hpp>
 
 #include "cli/interrupt.h"
+#include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_sky.h"
-#include "ingest/color_ramp_file.h"
-#include "ingest/drape_file.h"
-#include "render/named_ramps.h"
+#include "cli/view_water.h"
 #include "render/sky_light.h"
 #include "terrain/error.h"
 
@@ -73,16 +72,6 @@ Aim resolve_aim(const ViewOptions& options, const ViewFrame& frame, const std::v
   return aim;
 }
 
-HeightRange whole_range(const Terrain& terrain) {
-  HeightRange whole = height_range(*terrain.layers().front().grid);
-  for (const TerrainLayer& layer : terrain.layers()) {
-    const HeightRange range = height_range(*layer.grid);
-    whole.lowest_m = std::min(whole.lowest_m, range.lowest_m);
-    whole.highest_m = std::max(whole.highest_m, range.highest_m);
-  }
-  return whole;
-}
-
 // A DEM without a coordinate system has no curved Earth.
 void check_curved(const ViewOptions& options, const Dem& dem) {
   const char* option = options.refraction                    ? "--refraction"
@@ -107,13 +96,7 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
                                    .progress = [](double) { check_interrupt(); }}));
   scene.air = make_air(options.air);
   if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
-  if (const ColorRamp* named = find_named_ramp(options.colors))
-    scene.tints = *named;
-  else if (!options.colors.empty())
-    scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
-  scene.contours.interval_m = options.contour_interval_m;
-  if (!options.drape.empty())
-    scene.drape = read_drape(options.drape, dems, options.dem.memory_bytes);
+  set_ground_colors(options, dems, scene);
   return scene;
 }
 
@@ -170,15 +153,21 @@ Camera make_camera(const ResolvedView& view) {
 }
 
 View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
-  ViewFrame frame(dems, *options.eye, frame_options(options));
-  const ResolvedView resolved = resolve_view(options, frame, dems);
+  const LaidWater laid = lay_water(options.water, dems);
+  const std::vector<Dem>& ground = laid.lakes ? laid.lakes->dems : dems;
+  ViewFrame frame(ground, *options.eye, frame_options(options));
+  const ResolvedView resolved = resolve_view(options, frame, ground);
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
-  Scene scene = make_scene(options, frame, sun, dems);
+  Scene scene = make_scene(options, frame, sun, ground);
   const Camera camera = make_camera(resolved);
   scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
   ViewObjects objects = read_objects(options.objects, frame);
+  objects.messages.insert(objects.messages.end(), laid.messages.begin(), laid.messages.end());
   scene.objects = objects.scene;
+  if (has_water(options.water))
+    scene.water =
+        make_water(options.water, laid, scene, mirror_view_sky(options.sky, frame, camera, scene));
   return {std::move(frame), resolved, sun, camera, std::move(scene), std::move(objects)};
 }
 

@@ -35,6 +35,22 @@ CloudLayer make_layer(const ViewSkyOptions& options, const ViewFrame& frame) {
   return layer;
 }
 
+SkyOptions sky_options(const ViewSkyOptions& options, const ViewFrame& frame, const Scene& scene) {
+  SkyOptions sky;
+  sky.clear = {options.model, scene.light.towards_sun, options.turbidity};
+  if (options.clouds > 0) {
+    Clouds clouds;
+    clouds.field.seed = options.seed;
+    clouds.field.kind = FieldKind::smooth;
+    clouds.field.levels = {12, 12};
+    clouds.field.h = {0.6};
+    clouds.layer = make_layer(options, frame);
+    clouds.table = sky_table(options.clouds);
+    sky.clouds = clouds;
+  }
+  return sky;
+}
+
 }  // namespace
 
 void add_view_sky_options(CLI::App& app, ViewSkyOptions& sky) {
@@ -65,19 +81,15 @@ std::shared_ptr<const PaintedSky> paint_view_sky(const ViewSkyOptions& options,
                                                  const ViewFrame& frame, const Camera& camera,
                                                  const Scene& scene) {
   if (options.none) return nullptr;
-  SkyOptions sky;
-  sky.clear = {options.model, scene.light.towards_sun, options.turbidity};
-  if (options.clouds > 0) {
-    Clouds clouds;
-    clouds.field.seed = options.seed;
-    clouds.field.kind = FieldKind::smooth;
-    clouds.field.levels = {12, 12};
-    clouds.field.h = {0.6};
-    clouds.layer = make_layer(options, frame);
-    clouds.table = sky_table(options.clouds);
-    sky.clouds = clouds;
-  }
-  return std::make_shared<const PaintedSky>(sky, camera, options.cloud_shadows);
+  return std::make_shared<const PaintedSky>(sky_options(options, frame, scene), camera,
+                                            options.cloud_shadows);
+}
+
+std::shared_ptr<const PaintedSky> mirror_view_sky(const ViewSkyOptions& options,
+                                                  const ViewFrame& frame, const Camera& camera,
+                                                  const Scene& scene) {
+  if (options.none) return nullptr;
+  return PaintedSky::mirrored(sky_options(options, frame, scene), camera, options.cloud_shadows);
 }
 
 }  // namespace terrview

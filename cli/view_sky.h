@@ -21,4 +21,10 @@ void add_view_sky_options(CLI::App& app, ViewSkyOptions& sky);
                                                                const Camera& camera,
                                                                const Scene& scene);
 
+// The same as level mirrors show it.
+[[nodiscard]] std::shared_ptr<const PaintedSky> mirror_view_sky(const ViewSkyOptions& options,
+                                                                const ViewFrame& frame,
+                                                                const Camera& camera,
+                                                                const Scene& scene);
+
 }  // namespace terrview

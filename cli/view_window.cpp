@@ -6,12 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_setup.h"
 #include "ingest/crs_transform.h"
 #include "ingest/sight.h"
 #include "ingest/visible_window.h"
-#include "render/named_ramps.h"
 
 namespace terrview {
 namespace {
@@ -137,10 +137,10 @@ ViewSector sector_of(const ViewOptions& options) {
 
 void limit_reading(ViewOptions& options) {
   const bool aimed = options.heading_deg || options.look_at;
-  // Shares of the range of heights are of the whole file's.
-  const bool ramp_of_range = !options.colors.empty() && find_named_ramp(options.colors) == nullptr;
+  // Shares of the range of heights are of the whole file's, and so are the shores of lakes.
+  const bool of_whole = has_ramp_file(options) || !options.water.file.empty();
   if (!aimed || options.earth == EarthModel::flat || options.dem.window ||
-      options.dem.choose_window || ramp_of_range || options.projection == Projection::orthographic)
+      options.dem.choose_window || of_whole || options.projection == Projection::orthographic)
     return;
   const auto is_large = [&](const std::string& path) {
     const DemHeader header = read_dem_header(path, options.dem);

@@ -26,21 +26,25 @@ bool is_on_earth(glm::dvec2 longitude_latitude) {
 
 }  // namespace
 
+void to_geographic(const VectorFile& file, std::span<glm::dvec2> points) {
+  if (file.geographic)
+    for (glm::dvec2& point : points)
+      if (!is_on_earth(point)) point = glm::dvec2(kNaN);
+  const CrsTransform crs(file.name, file.crs_wkt, some_of(points));
+  crs.to_geographic(points);
+  for (glm::dvec2& point : points)
+    if (!std::isfinite(point.x) || !is_on_earth(point)) point = glm::dvec2(kNaN);
+}
+
 void to_ground(const VectorFile& file, const ViewFrame& frame, std::span<glm::dvec2> points) {
   if (points.empty()) return;
   if (file.crs_wkt.empty() || !frame.is_geographic()) {
     for (glm::dvec2& point : points) point = frame.to_ground_from_projected(point);
     return;
   }
-  if (file.geographic)
-    for (glm::dvec2& point : points)
-      if (!is_on_earth(point)) point = glm::dvec2(kNaN);
-  const CrsTransform crs(file.name, file.crs_wkt, some_of(points));
-  crs.to_geographic(points);
-  for (glm::dvec2& point : points) {
-    const bool known = std::isfinite(point.x) && is_on_earth(point);
-    point = known ? frame.to_ground({point.y, point.x}) : glm::dvec2(kNaN);
-  }
+  to_geographic(file, points);
+  for (glm::dvec2& point : points)
+    if (!std::isnan(point.x)) point = frame.to_ground({point.y, point.x});
 }
 
 }  // namespace terrview

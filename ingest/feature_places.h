@@ -10,8 +10,13 @@
 
 namespace terrview {
 
-// In place. A point that is nowhere on the Earth becomes NaN. Throws InputError if the file's
-// coordinate reference system is of no use.
+// In place, from the coordinate reference system of a file, which it has, to (longitude, latitude)
+// in degrees of WGS 84. A point that is nowhere on the Earth becomes NaN. Throws InputError if the
+// system is of no use.
+void to_geographic(const VectorFile& file, std::span<glm::dvec2> points);
+
+// The same to the ground of a frame. Without a system of the file or of the DEMs the points are in
+// the first DEM's own coordinates.
 void to_ground(const VectorFile& file, const ViewFrame& frame, std::span<glm::dvec2> points);
 
 }  // namespace terrview

@@ -1,14 +1,13 @@
 #include "ingest/footprints.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <memory>
 #include <string_view>
 
 #include <ogr_geometry.h>
 
 #include "ingest/feature_attributes.h"
+#include "ingest/feature_polygons.h"
 #include "ingest/view_checks.h"
 
 namespace terrview {
@@ -19,40 +18,6 @@ using Names = std::vector<std::string_view>;
 constexpr double kLevel_m = 3;
 // The highest building stands 830 m.
 constexpr double kHighest_m = 2000;
-
-glm::dvec2 checked(const VectorFeature& feature, double x, double y) {
-  // Squares of what is left are numbers.
-  constexpr double kFarthest = 1e9;
-  if (!(std::abs(x) <= kFarthest && std::abs(y) <= kFarthest))
-    feature.refuse("a corner at " + in_words("%g", x) + ", " + in_words("%g", y) +
-                   " is nowhere: mend its coordinates");
-  return {x, y};
-}
-
-Polygon::Ring ring_of(const VectorFeature& feature, const OGRLinearRing& from) {
-  Polygon::Ring ring;
-  ring.reserve(static_cast<std::size_t>(from.getNumPoints()));
-  for (int i = 0; i < from.getNumPoints(); ++i)
-    ring.push_back(checked(feature, from.getX(i), from.getY(i)));
-  return ring;
-}
-
-void add_polygons(const VectorFeature& feature, const OGRGeometry& geometry,
-                  std::vector<std::vector<Polygon::Ring>>& polygons) {
-  const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
-  if (type == wkbPolygon) {
-    std::vector<Polygon::Ring> rings;
-    for (const OGRLinearRing* ring : *geometry.toPolygon())
-      rings.push_back(ring_of(feature, *ring));
-    if (!rings.empty() && !rings.front().empty()) polygons.push_back(std::move(rings));
-  } else if (type == wkbMultiPolygon || type == wkbGeometryCollection) {
-    for (const OGRGeometry* part : *geometry.toGeometryCollection())
-      add_polygons(feature, *part, polygons);
-  } else if (geometry.hasCurveGeometry() != 0) {
-    const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
-    if (straight && straight->hasCurveGeometry() == 0) add_polygons(feature, *straight, polygons);
-  }
-}
 
 // Adds to `unread` where that is no length.
 std::optional<double> length_in(const VectorFeature& feature, const Names& names, int& unread) {
@@ -149,8 +114,7 @@ FootprintFile read_footprints(const std::string& path, const FootprintOptions& o
     for (const std::string& field : {options.height_field, options.color_field})
       if (!field.empty()) feature.require_field(field);
     Footprint footprint = footprint_of(feature, options, result);
-    if (const OGRGeometry* geometry = feature.geometry())
-      add_polygons(feature, *geometry, footprint.polygons);
+    footprint.polygons = polygons_of(feature);
     if (footprint.polygons.empty())
       ++result.without_polygon;
     else
@@ -171,7 +135,7 @@ TreeFile read_trees(const std::string& path) {
     Tree tree;
     tree.number = feature.number();
     tree.name = feature.text(Names{"name"}).value_or("");
-    tree.place = checked(feature, geometry->toPoint()->getX(), geometry->toPoint()->getY());
+    tree.place = checked_corner(feature, geometry->toPoint()->getX(), geometry->toPoint()->getY());
     tree.height_m = height_in(feature, {}, result.unread_heights);
     tree.crown_m =
         length_in(feature, {"diameter_crown", "crown_m", "crown"}, result.unread_heights);

@@ -12,6 +12,10 @@ namespace {
 constexpr int kSide_px = CloudPainter::kWindow_px;
 constexpr std::size_t kAzimuths = 720;
 
+bool has_pixels(const Camera& camera) {
+  return camera.options().projection != Projection::orthographic;
+}
+
 }  // namespace
 
 SkyCamera sky_camera(const Camera& camera) {
@@ -28,9 +32,13 @@ SkyCamera sky_camera(const Camera& camera) {
 }
 
 PaintedSky::PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_shadows)
-    : camera_(sky_camera(camera)),
+    : PaintedSky(sky, sky_camera(camera), has_pixels(camera), cloud_shadows) {}
+
+PaintedSky::PaintedSky(const SkyOptions& sky, const SkyCamera& camera, bool has_pixels,
+                       bool cloud_shadows)
+    : camera_(camera),
       painter_(sky, camera_),
-      has_pixels_(camera.options().projection != Projection::orthographic),
+      has_pixels_(has_pixels),
       window_count_((camera_.size_px + (kSide_px - 1)) / kSide_px),
       windows_(std::make_unique<Window[]>(static_cast<std::size_t>(window_count_.x) *
                                           static_cast<std::size_t>(window_count_.y))) {
@@ -42,6 +50,14 @@ PaintedSky::PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_s
 }
 
 PaintedSky::~PaintedSky() = default;
+
+std::shared_ptr<const PaintedSky> PaintedSky::mirrored(const SkyOptions& sky, const Camera& camera,
+                                                       bool cloud_shadows) {
+  SkyCamera below = sky_camera(camera);
+  for (glm::dvec3* axis : {&below.forward, &below.right, &below.up}) axis->z = -axis->z;
+  return std::shared_ptr<const PaintedSky>(
+      new PaintedSky(sky, below, has_pixels(camera), cloud_shadows));
+}
 
 glm::vec3 PaintedSky::color(const glm::dvec3& direction) const {
   if (!has_pixels_) return painter_.clear_color(direction);

@@ -23,6 +23,12 @@ namespace terrview {
 class PaintedSky {
  public:
   PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_shadows);
+
+  // The sky that level mirrors show to `camera`, for the directions of the rays that they reflect.
+  [[nodiscard]] static std::shared_ptr<const PaintedSky> mirrored(const SkyOptions& sky,
+                                                                  const Camera& camera,
+                                                                  bool cloud_shadows);
+
   ~PaintedSky();
   PaintedSky(const PaintedSky&) = delete;
   PaintedSky& operator=(const PaintedSky&) = delete;
@@ -40,6 +46,8 @@ class PaintedSky {
   }
 
  private:
+  PaintedSky(const SkyOptions& sky, const SkyCamera& camera, bool has_pixels, bool cloud_shadows);
+
   struct Window {
     std::once_flag painted;
     std::vector<glm::vec3> colors;

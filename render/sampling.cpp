@@ -12,6 +12,7 @@
 #include "render/pixel_tracer.h"
 #include "render/stopwatch.h"
 #include "render/view_front.h"
+#include "render/water.h"
 
 namespace terrview {
 namespace {
@@ -93,12 +94,13 @@ void Sampler::trace_lattice(int index, int step, const Wanted& wanted, const Tak
 std::vector<ShadedRay> Sampler::shade_rays(std::span<const Ray> rays, RayHits& hits,
                                            RenderCounts& counts) const {
   Stopwatch stopwatch;
+  meet_water(scene_, rays, hits);
   meet_objects(scene_, rays, hits, counts.objects);
   counts.rays = static_cast<std::int64_t>(rays.size());
   counts.hits = count_hits(hits);
   counts.trace_s += stopwatch.lap();
   ShadowCounts shadows;
-  std::vector<ShadedRay> shaded = shade(scene_, pixel_width_, rays, hits, shadows);
+  std::vector<ShadedRay> shaded = shade(scene_, {pixel_width_}, rays, hits, shadows);
   counts.shadow_rays = shadows.rays;
   counts.shadow_objects = shadows.objects;
   counts.shade_s = stopwatch.lap();

@@ -11,6 +11,7 @@
 #include "render/color_ramp.h"
 #include "render/contours.h"
 #include "render/ground_detail.h"
+#include "render/natural_ground.h"
 #include "terrain/sky_view.h"
 #include "terrain/terrain.h"
 
@@ -52,11 +53,13 @@ enum class NormalKind { smooth, facet };
 class Drape;
 class PaintedSky;
 struct SceneObjects;
+struct Water;
 
 struct Scene {
   std::shared_ptr<const Terrain> terrain;
   ColorRamp tints = altitude_tints();
-  std::shared_ptr<const Drape> drape;  // over the tints; none: the tints alone
+  std::optional<NaturalGround> natural;  // instead of the tints
+  std::shared_ptr<const Drape> drape;    // over the tints; none: the tints alone
   Contours contours;
   NormalKind normals = NormalKind::smooth;
   std::shared_ptr<const GroundDetail> detail;  // none: every pixel sees a point of the ground
@@ -67,6 +70,7 @@ struct Scene {
   std::shared_ptr<const SceneObjects> objects;    // none: the ground alone
   std::shared_ptr<const PaintedSky> painted_sky;  // none: the plain one above
   Air air;
+  std::shared_ptr<const Water> water;  // none: the ground is dry
 };
 
 }  // namespace terrview

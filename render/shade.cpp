@@ -5,11 +5,14 @@
 
 #include "render/air.h"
 #include "render/drape.h"
+#include "render/natural_ground.h"
 #include "render/objects/level_plane.h"
 #include "render/objects/prism.h"
 #include "render/objects/scene_objects.h"
 #include "render/painted_sky.h"
+#include "render/reflection.h"
 #include "render/shadows.h"
+#include "render/water.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
@@ -28,34 +31,47 @@ GroundDetail::Ground exact_ground(const Scene& scene, const Hit& hit) {
 // The ground's own colour, as a pixel `width_m` wide sees it.
 glm::vec3 ground_color(const Scene& scene, const Ray& ray, const Hit& hit, double width_m,
                        const GroundDetail::Ground& ground) {
-  glm::vec3 color = scene.tints.at(ground.height_m);
+  const double z_scale = scene.terrain->frame().z_scale;
+  glm::vec3 color = scene.natural ? natural_color(*scene.natural, ground.height_m,
+                                                  slope_of(ground.normal, z_scale))
+                                  : scene.tints.at(ground.height_m);
   if (scene.drape)
     color = scene.drape->over(color, *scene.terrain, ray, hit, scene.detail ? width_m : 0,
                               ground.normal);
   const Contours& contours = scene.contours;
   if (contours.interval_m <= 0) return color;
-  const double rise_m = rise_over(width_m * footprint(ray.direction, ground.normal), ground.normal,
-                                  scene.terrain->frame().z_scale);
+  const double rise_m =
+      rise_over(width_m * footprint(ray.direction, ground.normal), ground.normal, z_scale);
   const double share = contour_share(ground.height_m, rise_m, contours.interval_m);
   return glm::mix(color, contours.color, contours.opacity * static_cast<float>(share));
 }
 
-// Fills in the normals, and as clear colours those of the ground, and returns N . L of each hit: 0
-// where the ground turns away from the sun, or the sun is below the local horizon.
-std::vector<float> face_sun(const Scene& scene, const PixelWidth& pixel, std::span<const Ray> rays,
-                            std::span<const std::optional<Hit>> hits, std::span<ShadedRay> shaded) {
-  std::vector<float> facings(hits.size(), 0);
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (!hits[i]) continue;
-    shaded[i].distance_m = static_cast<float>(glm::distance(hits[i]->position_m, rays[i].origin_m));
-    GroundDetail::Ground ground = exact_ground(scene, *hits[i]);
-    const double width_m = pixel.at(shaded[i].distance_m);
-    if (scene.detail)
-      ground = scene.detail->seen(*scene.terrain, rays[i], *hits[i], width_m, ground);
-    shaded[i].normal = ground.normal;
-    shaded[i].clear = ground_color(scene, rays[i], *hits[i], width_m, ground);
+// Fills in the normal, and as clear colour the ground's, as a pixel `width_m` wide sees it.
+void see_ground(const Scene& scene, const Ray& ray, const Hit& hit, double width_m,
+                ShadedRay& shaded) {
+  GroundDetail::Ground ground = exact_ground(scene, hit);
+  if (scene.detail) ground = scene.detail->seen(*scene.terrain, ray, hit, width_m, ground);
+  shaded.normal = ground.normal;
+  shaded.clear = ground_color(scene, ray, hit, width_m, ground);
+}
+
+// Fills in the normals, and as clear colours those of ground and water, and returns N . L of each
+// hit: 0 where the ground turns away from the sun, or the sun is below the local horizon.
+std::vector<float> face_sun(const Scene& scene, const RayWidths& widths, std::span<const Ray> rays,
+                            const RayHits& hits, std::span<ShadedRay> shaded) {
+  std::vector<float> facings(rays.size(), 0);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!hits.ground[i]) continue;
+    const Hit& hit = *hits.ground[i];
+    shaded[i].distance_m = static_cast<float>(glm::distance(hit.position_m, rays[i].origin_m));
+    if (hits.meets_water(i)) {
+      shaded[i].normal = {0, 0, 1};
+      shaded[i].clear = scene.water->color;
+    } else {
+      see_ground(scene, rays[i], hit, widths.at(i, shaded[i].distance_m), shaded[i]);
+    }
     const glm::dvec3 to_sun =
-        local_direction(scene.terrain->frame(), hits[i]->position_m, scene.light.towards_sun);
+        local_direction(scene.terrain->frame(), hit.position_m, scene.light.towards_sun);
     const double facing = glm::dot(glm::dvec3(shaded[i].normal), to_sun);
     if (to_sun.z > 0 && facing > 0) facings[i] = static_cast<float>(facing);
   }
@@ -151,25 +167,31 @@ PixelWidth pixel_width(const Camera& camera) {
   return {camera.per_px(), 0};
 }
 
-std::vector<ShadedRay> shade(const Scene& scene, const PixelWidth& pixel, std::span<const Ray> rays,
+std::vector<ShadedRay> shade(const Scene& scene, const RayWidths& widths, std::span<const Ray> rays,
                              const RayHits& hits, ShadowCounts& counts) {
   std::vector<ShadedRay> shaded(rays.size());
-  std::vector<float> sunlit = face_sun(scene, pixel, rays, hits.ground, shaded);
+  std::vector<float> sunlit = face_sun(scene, widths, rays, hits, shaded);
   objects_face_sun(scene, rays, hits, shaded, sunlit);
   if (scene.light.casts_shadows) cast_shadows(scene, hits, sunlit, counts);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (const auto& hit = hits.ground[i]) {
       shaded[i].clear *= sky_light(scene, hit->grid, hit->uv) + sunlit[i] * scene.light.sun;
-      add_air(scene, rays[i], hit->position_m, shaded[i]);
     } else if (hits.meets_object(i)) {
       const glm::dvec3& position_m = hits.objects[i]->surface.position_m;
       shaded[i].clear *=
           light_on_object(scene, position_m, shaded[i].normal) + sunlit[i] * scene.light.sun;
-      add_air(scene, rays[i], position_m, shaded[i]);
     } else {
       shaded[i].clear = background_color(scene, glm::normalize(rays[i].direction));
       shaded[i].color = shaded[i].clear;
     }
+  }
+  if (scene.water && scene.water->reflected)
+    add_reflections(scene, widths, rays, hits, shaded, counts);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (hits.ground[i])
+      add_air(scene, rays[i], hits.ground[i]->position_m, shaded[i]);
+    else if (hits.meets_object(i))
+      add_air(scene, rays[i], hits.objects[i]->surface.position_m, shaded[i]);
   }
   return shaded;
 }

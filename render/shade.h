@@ -36,9 +36,19 @@ struct PixelWidth {
 };
 [[nodiscard]] PixelWidth pixel_width(const Camera& camera);
 
-// The colours of the rays of a block, whose hits are given, all its shadow rays together. Adds to
-// `counts`.
-[[nodiscard]] std::vector<ShadedRay> shade(const Scene& scene, const PixelWidth& pixel,
+// How wide pixels are on what rays show, by whatever way they come.
+struct RayWidths {
+  PixelWidth pixel;
+  std::span<const double> before_m = {};  // of each ray, up to its origin; empty: 0
+
+  [[nodiscard]] double at(std::size_t ray, double distance_m) const {
+    return pixel.at(distance_m + (before_m.empty() ? 0 : before_m[ray]));
+  }
+};
+
+// The colours of the rays of a block, whose hits are given, all its shadow rays together. Water
+// mirrors what is there to mirror once: of water in a mirror the body is seen. Adds to `counts`.
+[[nodiscard]] std::vector<ShadedRay> shade(const Scene& scene, const RayWidths& widths,
                                            std::span<const Ray> rays, const RayHits& hits,
                                            ShadowCounts& counts);
 

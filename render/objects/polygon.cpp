@@ -81,8 +81,7 @@ void Polygon::cross_edges(const Line& line, std::size_t first, std::size_t last,
   for (std::size_t i = first; i < last; ++i) {
     const double after = line.side(vertices_[i + 1]);
     const bool parts = (before >= 0) != (after >= 0);
-    // From one ring's last vertex to the next ring's first there is no edge.
-    if (parts && !std::binary_search(ring_ends_.begin(), ring_ends_.end(), i)) {
+    if (parts && is_edge(i)) {
       const double t = before >= 0 ? line.between(vertices_[i], before, vertices_[i + 1], after)
                                    : line.between(vertices_[i + 1], after, vertices_[i], before);
       crossings.push_back({t, i});
@@ -122,6 +121,10 @@ bool Polygon::contains(glm::dvec2 point) const {
   cross(point, {1, 0}, crossings);
   const auto behind = [](const Crossing& crossing) { return crossing.t <= 0; };
   return std::count_if(crossings.begin(), crossings.end(), behind) % 2 != 0;
+}
+
+bool Polygon::is_edge(std::size_t vertex) const {
+  return !std::binary_search(ring_ends_.begin(), ring_ends_.end(), vertex);
 }
 
 double Polygon::area() const {

@@ -37,6 +37,9 @@ class Polygon {
 
   [[nodiscard]] bool contains(glm::dvec2 point) const;
 
+  // Whether an edge begins at that vertex: none does at the last of a ring.
+  [[nodiscard]] bool is_edge(std::size_t vertex) const;
+
   // From one end of the edge to the other.
   [[nodiscard]] glm::dvec2 edge(std::size_t edge) const {
     return vertices_[edge + 1] - vertices_[edge];

@@ -89,6 +89,36 @@ TEST_F(DrapeOfView, HasContourLinesAsManyMetresApartAsAreAskedFor) {
                    {"--contours"});
 }
 
+TEST_F(DrapeOfView, GoesAroundTheEarthWithItsDem) {
+  TestRaster globe;
+  globe.columns = 3600;
+  globe.rows = 60;
+  globe.number = [](int /*column*/, int row) { return 500 + 100 * ((row % 3)); };
+  globe.geotransform = {{-180, 0.1, 0, 3, 0, -0.1}};
+  globe.crs = "EPSG:4326";
+  globe.write(path("globe.tif"));
+  globe.type = GDT_Byte;
+  globe.number = [](int, int) { return 90; };
+  globe.write(path("grey.tif"));
+  const auto picture = [&](const std::string& longitude, const std::string& name) {
+    ASSERT_EQ(run(words("globe.tif -q --eye 0," + longitude +
+                        ",9000 --heading 90 --pitch -20 --size 40x30 --no-sky --visibility inf "
+                        "--drape grey.tif -o " +
+                        name))
+                  .exit_code,
+              0);
+  };
+  picture("179.75", "seam.png");
+  picture("-0.25", "middle.png");
+  const ReadPicture seam = read_picture(path("seam.png"));
+  const ReadPicture middle = read_picture(path("middle.png"));
+  // Between the last column and the first there is no ground.
+  int same = 0;
+  for (std::size_t i = 0; i < seam.colors.size(); ++i)
+    same += seam.colors[i] == middle.colors[i] ? 1 : 0;
+  EXPECT_GT(same, 900);
+}
+
 TEST_F(DrapeOfView, ThatTheViewReadsIsNeverWritten) {
   const std::string before = bytes("halves.tif");
   expect_refused(

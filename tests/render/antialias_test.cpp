@@ -56,7 +56,7 @@ glm::vec3 mean_of_rays(const Scene& scene, const Camera& camera, glm::ivec2 pixe
     const Ray ray = camera.ray(glm::dvec2(pixel) + sample_offset(i));
     const std::optional<Hit> hit = scene.terrain->first_hit(ray);
     ShadowCounts shadows;
-    sum += shade(scene, pixel_width(camera), {&ray, 1}, {{hit}}, shadows).front().color;
+    sum += shade(scene, {pixel_width(camera)}, {&ray, 1}, {{hit}}, shadows).front().color;
   }
   return sum / static_cast<float>(samples);
 }

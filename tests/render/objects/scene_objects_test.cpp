@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/drape.h"
 #include "render/meet.h"
 #include "render/objects/level_plane.h"
 #include "render/objects/prism.h"
@@ -114,6 +115,42 @@ TEST(SceneObjects, GiveTheSameBytesForAnyNumberOfThreadsAndAnyOrderOfRays) {
     const Frame preview = picture(scene, camera, {.threads = 1, .preview = true});
     EXPECT_TRUE(same_bytes(preview, picture(scene, camera, {.threads = 3, .preview = true})));
   }
+}
+
+class PictureOfPosts final : public PixelMap {
+ public:
+  [[nodiscard]] glm::dvec2 to_pixels(glm::dvec2 uv) const override { return uv + 20.0; }
+  [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 /*uv*/) const override { return glm::dmat2(1); }
+};
+
+TEST(SceneObjects, KeepTheirColorsWhereTheGroundIsDraped) {
+  const auto picture_of = [](bool draped) {
+    Scene scene = village();
+    scene.light = {.towards_sun = {0, 0, 1}, .sun = {0, 0, 0}, .ambient = {1, 1, 1}};
+    if (draped)
+      scene.drape = std::make_shared<Drape>(
+          PicturePyramid(Raster<glm::u8vec4>(160, 160, glm::u8vec4(0, 0, 255, 255))),
+          std::vector<std::shared_ptr<const PixelMap>>{std::make_shared<PictureOfPosts>()});
+    return picture(scene, tilted_camera(kSize_px));
+  };
+  const Frame plain = picture_of(false);
+  const Frame draped = picture_of(true);
+  int objects = 0;
+  int ground = 0;
+  for (std::size_t i = 0; i < plain.image.pixels().size(); ++i) {
+    const std::int32_t id = draped.samples.pixels()[i].object_id;
+    ASSERT_EQ(id, plain.samples.pixels()[i].object_id);
+    const glm::vec3 color = draped.image.pixels()[i];
+    if (id == PixelSample::kGround) {
+      ++ground;
+      EXPECT_NEAR(glm::distance(color, {0, 0, 1}), 0, 1e-5);
+    } else {
+      objects += id == PixelSample::kNothing ? 0 : 1;
+      EXPECT_EQ(color, plain.image.pixels()[i]);
+    }
+  }
+  EXPECT_GT(objects, 300);
+  EXPECT_GT(ground, 3000);
 }
 
 // Level ground with a step up, a block before it, and the sun behind one of them.
