@@ -2,9 +2,10 @@
 
 #include <cmath>
 #include <string>
-#include "cli/command_line.h"
 
 #include "cli/camera_json.h"
+#include "cli/command_line.h"
+#include "cli/preset.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
 #include "cli/view_setup.h"
@@ -45,6 +46,8 @@ void check_projection(const ViewOptions& given, Projection projection) {
         "--fov");
   if (given.fov_deg && orthographic)
     throw InputError("--fov: an orthographic view has parallel rays: give --width METRES instead");
+  if (given.coherence == Coherence::neighbours && given.crop)
+    throw InputError("--coherence neighbours: goes on from row to row: leave it out for a --crop");
   if (given.coherence == Coherence::neighbours && orthographic)
     throw InputError("--coherence neighbours: needs an eye: leave it out for an orthographic view");
 }
@@ -71,6 +74,7 @@ void check_palette(const ViewOptions& options) {
 }  // namespace
 
 void prepare(ViewOptions& options) {
+  apply_preset(options);
   const ViewOptions given = options;
   if (!options.from_camera.empty()) apply_camera_file(options);
   if (!options.eye) throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
@@ -85,7 +89,9 @@ void prepare(ViewOptions& options) {
   const ResolvedView known = known_view(options);
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera
-  if (options.projection == Projection::cylindrical) options.pitch_deg = 0;
+  // A lens is shifted so that the camera may stay level.
+  const bool shifted = known.shift != glm::dvec2(0) && !options.pitch_deg;
+  if (options.projection == Projection::cylindrical || shifted) options.pitch_deg = 0;
 }
 
 ViewOptions parse_view(const std::vector<std::string>& args, const std::string& program) {

@@ -41,7 +41,8 @@ std::vector<Dem> read(ViewOptions& options) {
 ImageFileOptions image_options(const ViewOptions& options, const View& view) {
   return {options.format,
           options.creation,
-          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}}};
+          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}},
+          options.dpi.value_or(0)};
 }
 
 Frame render(const ViewOptions& options, const View& view, const ViewFiles& files) {

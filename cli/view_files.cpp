@@ -23,6 +23,11 @@ IndexedFileOptions indexed_options(const ViewOptions& options) {
   return {options.format, options.creation, {}};
 }
 
+glm::ivec2 image_size(const ViewOptions& options) {
+  if (options.crop) return options.crop->size_px;
+  return options.size_px.value_or(ResolvedView{}.size_px);
+}
+
 }  // namespace
 
 ViewFiles::ViewFiles(const ViewOptions& options) {
@@ -30,8 +35,7 @@ ViewFiles::ViewFiles(const ViewOptions& options) {
   if (wants_palette(options.palette)) check_indexed_file(picture, indexed_options(options));
   for (const std::string& path : {picture, options.progressive}) {
     if (!path.empty() && !wants_palette(options.palette))
-      check_image_file(path, options.size_px.value_or(ResolvedView{}.size_px),
-                       {options.format, options.creation, {}});
+      check_image_file(path, image_size(options), {options.format, options.creation, {}});
   }
   check_layers_name(options.layers);
   image = claim(picture, options);

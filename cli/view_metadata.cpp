@@ -91,6 +91,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   Json json;
   json["program"] = std::string("terrview ") + kVersion;
   json["camera"] = camera_json(view);
+  if (options.dpi) json["dpi"] = *options.dpi;
   json["dems"] = Json::array();
   for (const std::string& dem : options.dems) json["dems"].push_back(file_name(dem));
   const Json reading = reading_json(options.dem);

@@ -2,6 +2,7 @@
 
 #include "cli/add_option.h"
 #include "cli/output_options.h"
+#include "cli/preset.h"
 #include "cli/view_light_options.h"
 #include "cli/view_objects.h"
 #include "cli/view_sky.h"
@@ -57,6 +58,15 @@ void add_projection_options(CLI::App& app, ViewOptions& options) {
       ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic"}))
       ->type_name("perspective|cylindrical|orthographic");
   add_number(app, "--width", options.width_m, "Metres across an orthographic picture");
+  add_parsed(
+      app, "--shift", [&](const std::string& text) { options.shift = parse_shift(text); },
+      "Of the lens, right and up, in widths and heights of the picture: uprights stay upright")
+      ->type_name("X,Y");
+  add_parsed(
+      app, "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
+      "Only these pixels of the picture, as they are in the whole")
+      ->type_name("X,Y,W,H");
+  add_preset_options(app, options);
 }
 
 void add_ground_options(CLI::App& app, ViewOptions& options) {

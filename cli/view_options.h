@@ -84,6 +84,10 @@ struct ViewOptions {
   std::optional<double> width_m;
   std::optional<glm::ivec2> size_px;
   std::optional<Projection> projection;
+  std::optional<glm::dvec2> shift;
+  std::optional<PixelRect> crop;
+  std::string preset;
+  std::optional<double> dpi;  // for paper; a preset's size in pixels follows from it
   std::optional<EarthModel> earth;
   std::optional<double> refraction;
   std::optional<double> z_scale;

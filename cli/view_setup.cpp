@@ -138,6 +138,8 @@ ResolvedView known_view(const ViewOptions& options) {
   view.width_m = options.width_m.value_or(view.width_m);
   view.size_px = options.size_px.value_or(view.size_px);
   view.projection = options.projection.value_or(view.projection);
+  view.shift = options.shift.value_or(view.shift);
+  view.crop = options.crop;
   const ViewFrameOptions placed = frame_options(options);
   view.earth = placed.earth;
   view.refraction = placed.refraction;
@@ -160,13 +162,22 @@ ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
 }
 
 Camera make_camera(const ResolvedView& view) {
-  return Camera({.projection = view.projection,
-                 .heading_rad = view.heading_deg * kRadians,
-                 .pitch_rad = view.pitch_deg * kRadians,
-                 .roll_rad = view.roll_deg * kRadians,
-                 .fov_rad = view.fov_deg * kRadians,
-                 .width_m = view.width_m,
-                 .size_px = view.size_px});
+  const Camera camera({.projection = view.projection,
+                       .heading_rad = view.heading_deg * kRadians,
+                       .pitch_rad = view.pitch_deg * kRadians,
+                       .roll_rad = view.roll_deg * kRadians,
+                       .fov_rad = view.fov_deg * kRadians,
+                       .width_m = view.width_m,
+                       .shift = view.shift,
+                       .size_px = view.size_px});
+  if (!view.crop) return camera;
+  const glm::ivec2 first = view.crop->first_px;
+  const glm::ivec2 room = view.size_px - view.crop->size_px;
+  if (view.crop->size_px.x < 1 || view.crop->size_px.y < 1 || first.x < 0 || first.y < 0 ||
+      first.x > room.x || first.y > room.y)
+    throw InputError("--crop: is not within the picture of " + std::to_string(view.size_px.x) +
+                     "x" + std::to_string(view.size_px.y) + " pixels: give X,Y,W,H in it");
+  return camera.part(*view.crop);
 }
 
 View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {

@@ -17,18 +17,31 @@ constexpr std::size_t kAzimuths = 720;
 SkyCamera sky_camera(const Camera& camera) {
   const CameraOptions& options = camera.options();
   SkyCamera sky;
-  sky.size_px = options.size_px;
+  sky.size_px = camera.whole_px();
+  sky.middle_px = camera.middle_px() + glm::dvec2(camera.first_px());
   sky.cylindrical = options.projection == Projection::cylindrical;
-  sky.focal_px = sky.cylindrical ? options.size_px.x / options.fov_rad
-                                 : options.size_px.x / 2.0 / std::tan(options.fov_rad / 2);
+  sky.focal_px =
+      sky.cylindrical ? 1 / camera.per_px() : sky.size_px.x / 2.0 / std::tan(options.fov_rad / 2);
   sky.forward = camera.forward();
   sky.right = camera.right();
   sky.up = camera.up();
   return sky;
 }
 
+SkyCamera painted_camera(const Camera& camera) {
+  SkyCamera sky = sky_camera(camera);
+  if (camera.circle_px() == 0) return sky;
+  sky.size_px.x = camera.circle_px();
+  sky.middle_px.x = camera.circle_px() / 2.0;
+  const double first_px = camera.east_px() - std::floor(camera.east_px());
+  const double middle_rad = (first_px + sky.middle_px.x) * camera.per_px();
+  sky.forward = {std::sin(middle_rad), std::cos(middle_rad), 0};
+  sky.right = {std::cos(middle_rad), -std::sin(middle_rad), 0};
+  return sky;
+}
+
 PaintedSky::PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_shadows)
-    : camera_(sky_camera(camera)),
+    : camera_(painted_camera(camera)),
       painter_(sky, camera_),
       has_pixels_(camera.options().projection != Projection::orthographic),
       window_count_((camera_.size_px + (kSide_px - 1)) / kSide_px),
