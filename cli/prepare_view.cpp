@@ -5,6 +5,7 @@
 
 #include "cli/camera_json.h"
 #include "cli/command_line.h"
+#include "cli/plan.h"
 #include "cli/preset.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
@@ -77,8 +78,10 @@ void prepare(ViewOptions& options) {
   apply_preset(options);
   const ViewOptions given = options;
   if (!options.from_camera.empty()) apply_camera_file(options);
-  if (!options.eye) throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
-  check_eye(*options.eye);
+  check_plan(options);
+  if (!options.eye && !options.plan)
+    throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
+  if (options.eye) check_eye(*options.eye);
   check_angles(options);
   check_earth(options);
   check_light(options.light);

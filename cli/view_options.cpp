@@ -50,13 +50,23 @@ void add_projection_options(CLI::App& app, ViewOptions& options) {
   app.add_option_function<std::string>(
          "--projection",
          [&](const std::string& text) {
+           options.plan = text == "plan";
+           if (options.plan) return;
            options.projection = text == "perspective"   ? Projection::perspective
                                 : text == "cylindrical" ? Projection::cylindrical
                                                         : Projection::orthographic;
          },
          "How the view falls on the picture (default perspective)")
-      ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic"}))
-      ->type_name("perspective|cylindrical|orthographic");
+      ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic", "plan"}))
+      ->type_name("perspective|cylindrical|orthographic|plan");
+  add_parsed(
+      app, "--resolution",
+      [&](const std::string& text) {
+        const auto steps = parse_numbers("--resolution", text, 1, 2);
+        options.resolution = glm::dvec2(steps.front(), steps.back());
+      },
+      "Of a plan: the size of a pixel in the DEM's units (default: a post)")
+      ->type_name("DX[,DY]");
   add_number(app, "--width", options.width_m, "Metres across an orthographic picture");
   add_parsed(
       app, "--shift", [&](const std::string& text) { options.shift = parse_shift(text); },

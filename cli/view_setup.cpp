@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cli/interrupt.h"
+#include "cli/plan.h"
 #include "cli/view_light.h"
 #include "cli/view_sky.h"
 #include "ingest/color_ramp_file.h"
@@ -105,7 +106,7 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
         sky_views(*scene.terrain, {.azimuths = options.light.sky_azimuths,
                                    .threads = options.threads,
                                    .progress = [](double) { check_interrupt(); }}));
-  scene.air = make_air(options.air);
+  if (!options.plan) scene.air = make_air(options.air);
   if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
   if (const ColorRamp* named = find_named_ramp(options.colors))
     scene.tints = *named;
@@ -127,6 +128,7 @@ ViewFrameOptions frame_options(const ViewOptions& options) {
   frame.surface = options.surface;
   frame.search = options.coherence == Coherence::off ? Search::plain : Search::pyramid;
   frame.threads = options.threads;
+  frame.beyond_sight = options.plan;
   return frame;
 }
 
@@ -151,13 +153,17 @@ ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
                           const std::vector<Dem>& dems) {
   if (!frame.is_geographic()) check_curved(options, dems.front());
   ResolvedView view = known_view(options);
-  view.eye = *options.eye;
+  if (!frame.is_geographic()) view.earth = EarthModel::flat;
+  view.eye = options.plan ? eye_of_plan(options, dems) : *options.eye;
   view.eye.height_m = frame.eye().height_m;
   view.eye.above_ground = false;
+  if (options.plan) {
+    resolve_plan(options, frame, dems.front(), view);
+    return view;
+  }
   const Aim aim = resolve_aim(options, frame, dems);
   view.heading_deg = aim.heading_deg;
   view.pitch_deg = aim.pitch_deg;
-  if (!frame.is_geographic()) view.earth = EarthModel::flat;
   return view;
 }
 
@@ -181,7 +187,8 @@ Camera make_camera(const ResolvedView& view) {
 }
 
 View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
-  ViewFrame frame(dems, *options.eye, frame_options(options));
+  const EyePlace eye = options.plan ? eye_of_plan(options, dems) : *options.eye;
+  ViewFrame frame(dems, eye, frame_options(options));
   const ResolvedView resolved = resolve_view(options, frame, dems);
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});

@@ -140,7 +140,7 @@ void limit_reading(ViewOptions& options) {
   const bool aimed = options.heading_deg || options.look_at;
   // Shares of the range of heights are of the whole file's.
   const bool ramp_of_range = !options.colors.empty() && find_named_ramp(options.colors) == nullptr;
-  if (!aimed || options.earth == EarthModel::flat || options.dem.window ||
+  if (!aimed || options.plan || options.earth == EarthModel::flat || options.dem.window ||
       options.dem.choose_window || ramp_of_range || options.projection == Projection::orthographic)
     return;
   const auto is_large = [&](const std::string& path) {
