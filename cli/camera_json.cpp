@@ -190,7 +190,7 @@ void apply_camera_file(ViewOptions& options) {
   if (!level) reader.number("roll", options.roll_deg);
   reader.number("fov", options.fov_deg);
   reader.number("width_m", options.width_m);
-  reader.shift(options.shift);
+  if (options.projection != Projection::orthographic) reader.shift(options.shift);
   // A crop is one of the file's picture.
   if (!options.size_px) reader.crop(options.crop);
   reader.size(options.size_px);

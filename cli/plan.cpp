@@ -65,8 +65,9 @@ void check_plan(const ViewOptions& options) {
     return;
   }
   const AirOptions& air = options.air;
-  const std::array<std::pair<bool, const char*>, 20> useless{
-      {{options.look_at.has_value(), "--look-at"},
+  const std::array<std::pair<bool, const char*>, 21> useless{
+      {{!options.preset.empty(), "--preset"},
+       {options.look_at.has_value(), "--look-at"},
        {options.heading_deg.has_value(), "--heading"},
        {options.pitch_deg.has_value(), "--pitch"},
        {options.roll_deg.has_value(), "--roll"},

@@ -39,15 +39,15 @@ void check_eye(const EyePlace& eye) {
 }
 
 // Options of one projection given for another.
-void check_projection(const ViewOptions& given, Projection projection) {
-  const bool orthographic = projection == Projection::orthographic;
+void check_projection(const ViewOptions& given, const ResolvedView& known) {
+  const bool orthographic = known.projection == Projection::orthographic;
   if (given.width_m && !orthographic)
     throw InputError(
         "--width: the width of an orthographic picture: add --projection orthographic, or give "
         "--fov");
   if (given.fov_deg && orthographic)
     throw InputError("--fov: an orthographic view has parallel rays: give --width METRES instead");
-  if (given.coherence == Coherence::neighbours && given.crop)
+  if (given.coherence == Coherence::neighbours && known.crop)
     throw InputError("--coherence neighbours: goes on from row to row: leave it out for a --crop");
   if (given.coherence == Coherence::neighbours && orthographic)
     throw InputError("--coherence neighbours: needs an eye: leave it out for an orthographic view");
@@ -90,7 +90,7 @@ void prepare(ViewOptions& options) {
   check_palette(options);
   check_objects(options.objects);
   const ResolvedView known = known_view(options);
-  check_projection(given, known.projection);
+  check_projection(given, known);
   static_cast<void>(make_camera(known));  // throws if there is no such camera
   // A lens is shifted so that the camera may stay level.
   const bool shifted = known.shift != glm::dvec2(0) && !options.pitch_deg;

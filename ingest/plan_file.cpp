@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
@@ -166,6 +167,7 @@ PlanFiles encode_plan(const std::string& path, const PlanPicture& picture,
       dataset_of(whitened ? on_white(picture) : picture, gaps && !whitened ? 4 : 3, gdal);
   set_place(*source, picture);
   set_metadata(*source, name, options.metadata);
+  const CPLConfigOptionSetter with_side_file("GDAL_PAM_ENABLED", "YES", false);
   const MemoryPicture memory;
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name.c_str());
   GDALDatasetUniquePtr written(driver->CreateCopy(memory.path().c_str(), source.get(), FALSE,

@@ -44,7 +44,7 @@ PaintedSky::PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_s
     : camera_(painted_camera(camera)),
       painter_(sky, camera_),
       has_pixels_(camera.options().projection != Projection::orthographic),
-      window_count_((camera_.size_px + (kSide_px - 1)) / kSide_px),
+      window_count_(has_pixels_ ? (camera_.size_px + (kSide_px - 1)) / kSide_px : glm::ivec2(0)),
       windows_(std::make_unique<Window[]>(static_cast<std::size_t>(window_count_.x) *
                                           static_cast<std::size_t>(window_count_.y))) {
   if (cloud_shadows && sky.clouds) shadows_.emplace(*sky.clouds, sky.clear.towards_sun);
