@@ -97,6 +97,27 @@ TEST(Plan, IsEmptyWhereThereIsNoGround) {
   EXPECT_GE(empty, 7);  // the voids, a post between two of them, and a corner
 }
 
+TEST(Plan, ShowsAnotherGridThroughAHole) {
+  const Place place{.eye_uv = {10, 10}, .spacing_m = {100, 100}, .eye_height_m = 900};
+  HeightGrid fine = make_grid(21, 21, [](int, int) { return 400.0; });
+  fine.heights_m[7 * 21 + 9] = kVoid;
+  HeightGrid coarse = make_grid(31, 31, [](int, int) { return 100.0; });
+  Scene scene = hills_scene();
+  scene.light = {.sun = {0, 0, 0}, .ambient = {1, 1, 1}, .casts_shadows = false};
+  scene.terrain =
+      std::make_shared<Terrain>(std::vector<TerrainLayer>{make_layer(std::move(fine), place),
+                                                          make_layer(std::move(coarse), place)},
+                                VerticalFrame{.eye_height_m = 900}, SurfaceModel::hyperboloid);
+  const PlanFrame plan = render_plan(scene, {.size_px = {21, 21}});
+  for (int row = 0; row < 21; ++row) {
+    for (int column = 0; column < 21; ++column) {
+      const bool in_hole = column == 9 && row == 7;
+      ASSERT_EQ(plan.covered.at(column, row), 1);
+      ASSERT_LT(furthest(plan.image.at(column, row), scene.tints.at(in_hole ? 100 : 400)), 1e-6F);
+    }
+  }
+}
+
 TEST(Plan, ShowsNothingBeyondTheOutermostPosts) {
   const PlanFrame plan = render_plan(hills_scene(), {.size_px = {4, 3}, .corner_uv = {-1.4, -0.6}});
   for (int row = 0; row < 3; ++row) {
