@@ -13,6 +13,7 @@
 #include "bench/scalar_rays.h"
 #include "render/neighbour_tracer.h"
 #include "render/parallel.h"
+#include "render/pixel_lattice.h"
 #include "render/view_front.h"
 #include "terrain/column_tracer.h"
 #include "terrain/height_ceilings.h"

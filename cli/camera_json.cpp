@@ -1,5 +1,7 @@
 #include "cli/camera_json.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -50,11 +52,30 @@ class CameraReader {
 
   void size(std::optional<glm::ivec2>& size_px) const {
     if (size_px || !json_.contains("size_px")) return;
-    const Json& size = json_.at("size_px");
-    if (!size.is_array() || size.size() != 2 || !size[0].is_number_integer() ||
-        !size[1].is_number_integer())
-      refuse("size_px", "two whole numbers");
-    size_px = glm::ivec2(side_px(size[0]), side_px(size[1]));
+    const Json& size = whole_numbers("size_px", 2);
+    size_px = {side_px(size[0]), side_px(size[1])};
+  }
+
+  void crop(std::optional<PixelRect>& rect) const {
+    if (rect || !json_.contains("crop_px")) return;
+    const Json& numbers = whole_numbers("crop_px", 4);
+    std::array<int, 4> crop{};
+    for (std::size_t i = 0; i < crop.size(); ++i) {
+      const auto number = numbers[i].get<std::int64_t>();
+      if (number < 0 || number > std::numeric_limits<int>::max())
+        refuse("crop_px", "numbers from 0 up");
+      crop[i] = static_cast<int>(number);
+    }
+    rect = PixelRect{{crop[0], crop[1]}, {crop[2], crop[3]}};
+  }
+
+  void shift(std::optional<glm::dvec2>& value) const {
+    if (value || !json_.contains("shift")) return;
+    const Json& shares = json_.at("shift");
+    if (!shares.is_array() || shares.size() != 2 || !shares[0].is_number() ||
+        !shares[1].is_number())
+      refuse("shift", "two numbers");
+    value = glm::dvec2(shares[0].get<double>(), shares[1].get<double>());
   }
 
   void projection(std::optional<Projection>& value) const {
@@ -76,6 +97,15 @@ class CameraReader {
  private:
   [[noreturn]] void refuse(const std::string& key, const std::string& wanted) const {
     throw InputError("'" + path_ + "': " + key + ": give " + wanted);
+  }
+
+  [[nodiscard]] const Json& whole_numbers(const char* key, std::size_t count) const {
+    const Json& numbers = json_.at(key);
+    const bool whole = numbers.is_array() && numbers.size() == count &&
+                       std::all_of(numbers.begin(), numbers.end(),
+                                   [](const Json& number) { return number.is_number_integer(); });
+    if (!whole) refuse(key, count == 2 ? "two whole numbers" : "four whole numbers");
+    return numbers;
   }
 
   [[nodiscard]] int side_px(const Json& number) const {
@@ -135,7 +165,11 @@ Json camera_json(const ResolvedView& view) {
     json["width_m"] = view.width_m;
   else
     json["fov"] = view.fov_deg;
+  if (view.shift != glm::dvec2(0)) json["shift"] = {view.shift.x, view.shift.y};
   json["size_px"] = {view.size_px.x, view.size_px.y};
+  if (view.crop)
+    json["crop_px"] = {view.crop->first_px.x, view.crop->first_px.y, view.crop->size_px.x,
+                       view.crop->size_px.y};
   json["earth"] = view.earth == EarthModel::flat ? "flat" : "curved";
   if (view.earth == EarthModel::curved) json["refraction"] = view.refraction;
   json["z_scale"] = view.z_scale;
@@ -156,6 +190,9 @@ void apply_camera_file(ViewOptions& options) {
   if (!level) reader.number("roll", options.roll_deg);
   reader.number("fov", options.fov_deg);
   reader.number("width_m", options.width_m);
+  if (options.projection != Projection::orthographic) reader.shift(options.shift);
+  // A crop is one of the file's picture.
+  if (!options.size_px) reader.crop(options.crop);
   reader.size(options.size_px);
   reader.earth(options.earth);
   if (options.earth != EarthModel::flat) reader.number("refraction", options.refraction);

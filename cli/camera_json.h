@@ -20,6 +20,9 @@ struct ResolvedView {
   double width_m = 0;
   glm::ivec2 size_px{1280, 720};
   Projection projection = Projection::perspective;
+  glm::dvec2 shift{0, 0};
+  std::optional<PixelRect> crop;  // none: all of size_px
+  bool plan = false;              // then the camera is a stand-in that looks straight down
   EarthModel earth = EarthModel::curved;
   double refraction = 0.13;
   double z_scale = 1;

@@ -167,15 +167,35 @@ std::pair<std::string, std::string> parse_creation_option(const std::string& tex
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-std::array<int, 4> parse_window(const std::string& text) {
-  const auto values = parse_numbers("--window", text, 4, 4);
-  std::array<int, 4> window{};
+glm::dvec2 parse_shift(const std::string& text) {
+  const auto shares = parse_numbers("--shift", text, 2, 2);
+  return {shares[0], shares[1]};
+}
+
+namespace {
+
+std::array<int, 4> whole_numbers(const std::string& option, const std::string& text,
+                                 const char* advice) {
+  const auto values = parse_numbers(option, text, 4, 4);
+  std::array<int, 4> numbers{};
   for (std::size_t i = 0; i < 4; ++i) {
     if (values[i] != std::floor(values[i]) || std::abs(values[i]) > 2e9)
-      refuse("--window", text, "give whole numbers: COLUMN,ROW,WIDTH,HEIGHT in posts");
-    window[i] = static_cast<int>(values[i]);
+      refuse(option, text, advice);
+    numbers[i] = static_cast<int>(values[i]);
   }
-  return window;
+  return numbers;
+}
+
+}  // namespace
+
+PixelRect parse_crop(const std::string& text) {
+  const auto [x, y, width, height] =
+      whole_numbers("--crop", text, "give whole numbers: X,Y,WIDTH,HEIGHT in pixels");
+  return {{x, y}, {width, height}};
+}
+
+std::array<int, 4> parse_window(const std::string& text) {
+  return whole_numbers("--window", text, "give whole numbers: COLUMN,ROW,WIDTH,HEIGHT in posts");
 }
 
 }  // namespace terrview

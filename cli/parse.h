@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "ingest/view_frame.h"
+#include "render/camera.h"
 
 namespace terrview {
 
@@ -58,6 +59,12 @@ struct Target {
 
 // WxH.
 [[nodiscard]] glm::ivec2 parse_size(const std::string& text);
+
+// X,Y of --shift.
+[[nodiscard]] glm::dvec2 parse_shift(const std::string& text);
+
+// X,Y,W,H of --crop.
+[[nodiscard]] PixelRect parse_crop(const std::string& text);
 
 // KEY=VALUE.
 [[nodiscard]] std::pair<std::string, std::string> parse_creation_option(const std::string& text);

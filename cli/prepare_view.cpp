@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <string>
-#include "cli/command_line.h"
 
 #include "cli/camera_json.h"
+#include "cli/command_line.h"
+#include "cli/plan.h"
+#include "cli/preset.h"
 #include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
@@ -39,14 +41,16 @@ void check_eye(const EyePlace& eye) {
 }
 
 // Options of one projection given for another.
-void check_projection(const ViewOptions& given, Projection projection) {
-  const bool orthographic = projection == Projection::orthographic;
+void check_projection(const ViewOptions& given, const ResolvedView& known) {
+  const bool orthographic = known.projection == Projection::orthographic;
   if (given.width_m && !orthographic)
     throw InputError(
         "--width: the width of an orthographic picture: add --projection orthographic, or give "
         "--fov");
   if (given.fov_deg && orthographic)
     throw InputError("--fov: an orthographic view has parallel rays: give --width METRES instead");
+  if (given.coherence == Coherence::neighbours && known.crop)
+    throw InputError("--coherence neighbours: goes on from row to row: leave it out for a --crop");
   if (given.coherence == Coherence::neighbours && orthographic)
     throw InputError("--coherence neighbours: needs an eye: leave it out for an orthographic view");
 }
@@ -73,10 +77,13 @@ void check_palette(const ViewOptions& options) {
 }  // namespace
 
 void prepare(ViewOptions& options) {
+  apply_preset(options);
   const ViewOptions given = options;
   if (!options.from_camera.empty()) apply_camera_file(options);
-  if (!options.eye) throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
-  check_eye(*options.eye);
+  check_plan(options);
+  if (!options.eye && !options.plan)
+    throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
+  if (options.eye) check_eye(*options.eye);
   check_angles(options);
   check_earth(options);
   check_light(options.light);
@@ -87,9 +94,11 @@ void prepare(ViewOptions& options) {
   check_ground_colors(options);
   check_water(options.water);
   const ResolvedView known = known_view(options);
-  check_projection(given, known.projection);
+  check_projection(given, known);
   static_cast<void>(make_camera(known));  // throws if there is no such camera
-  if (options.projection == Projection::cylindrical) options.pitch_deg = 0;
+  // A lens is shifted so that the camera may stay level.
+  const bool shifted = known.shift != glm::dvec2(0) && !options.pitch_deg;
+  if (options.projection == Projection::cylindrical || shifted) options.pitch_deg = 0;
 }
 
 ViewOptions parse_view(const std::vector<std::string>& args, const std::string& program) {

@@ -1,5 +1,6 @@
 #include "cli/view_command.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "cli/objects_csv.h"
 #include "cli/palette_file.h"
 #include "cli/palette_picture.h"
+#include "cli/plan.h"
 #include "cli/prepare_view.h"
 #include "cli/progress.h"
 #include "cli/view_files.h"
@@ -41,7 +43,8 @@ std::vector<Dem> read(ViewOptions& options) {
 ImageFileOptions image_options(const ViewOptions& options, const View& view) {
   return {options.format,
           options.creation,
-          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}}};
+          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}},
+          options.dpi.value_or(0)};
 }
 
 Frame render(const ViewOptions& options, const View& view, const ViewFiles& files) {
@@ -95,6 +98,39 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
     files.camera->fill([&](const std::string& path) { write_file(path, camera_text + "\n"); });
 }
 
+// A plan's counts, as those of a frame.
+Frame draw_plan(const ViewOptions& options, const View& view, const Dem& dem,
+                const ViewFiles& files, WorkSeconds& seconds) {
+  Stopwatch stopwatch;
+  PlanFrame plan;
+  {
+    ProgressBar bar("rendering", shows_bar(options));
+    plan = render_plan(view.scene, plan_lattice(options, dem),
+                       {.threads = options.threads,
+                        .samples = std::max(1, options.sampling.samples),
+                        .progress = [&](double share) {
+                          check_interrupt();
+                          bar.report(share);
+                        }});
+  }
+  seconds.render = stopwatch.lap();
+  write_plan(options, view, dem, plan, files);
+  seconds.write = stopwatch.lap();
+  Frame frame;
+  frame.counts = plan.counts;
+  return frame;
+}
+
+Frame draw(const ViewOptions& options, const View& view, const ViewFiles& files,
+           WorkSeconds& seconds) {
+  Stopwatch stopwatch;
+  Frame frame = render(options, view, files);
+  seconds.render = stopwatch.lap();
+  write(options, view, frame, files);
+  seconds.write = stopwatch.lap();
+  return frame;
+}
+
 }  // namespace
 
 int run_view(const std::vector<std::string>& args) {
@@ -108,11 +144,8 @@ int run_view(const std::vector<std::string>& args) {
   const View view = make_view(options, dems);
   seconds.build = stopwatch.lap();
   if (!options.quiet) say_what_is_seen(dems, view);
-  const Frame frame = render(options, view, files);
-  seconds.render = stopwatch.lap();
-  write(options, view, frame, files);
-  seconds.write = stopwatch.lap();
-
+  const Frame frame = options.plan ? draw_plan(options, view, dems.front(), files, seconds)
+                                   : draw(options, view, files, seconds);
   if (files.stats) {
     const auto stats = stats_json(frame, view.frame, view.camera, dems, seconds);
     files.stats->fill([&](const std::string& path) { write_file(path, stats.dump(2) + "\n"); });

@@ -7,6 +7,7 @@
 #include "cli/output_options.h"
 #include "cli/view_outputs.h"
 #include "ingest/indexed_file.h"
+#include "ingest/plan_file.h"
 #include "render/image_file.h"
 #include "terrain/error.h"
 
@@ -16,24 +17,23 @@ namespace {
 // The name without its folder, in the format's usual extension.
 std::string default_name(const ViewOptions& options) {
   return std::filesystem::path(options.dems.front()).stem().string() +
-         usual_extension(options.format);
+         (options.plan && options.format.empty() ? ".tif" : usual_extension(options.format));
 }
 
 IndexedFileOptions indexed_options(const ViewOptions& options) {
   return {options.format, options.creation, {}};
 }
 
+glm::ivec2 image_size(const ViewOptions& options) {
+  if (options.crop) return options.crop->size_px;
+  return options.size_px.value_or(ResolvedView{}.size_px);
+}
+
 }  // namespace
 
 ViewFiles::ViewFiles(const ViewOptions& options) {
   const std::string picture = options.output.empty() ? default_name(options) : options.output;
-  if (wants_palette(options.palette)) check_indexed_file(picture, indexed_options(options));
-  for (const std::string& path : {picture, options.progressive}) {
-    if (!path.empty() && !wants_palette(options.palette))
-      check_image_file(path, options.size_px.value_or(ResolvedView{}.size_px),
-                       {options.format, options.creation, {}});
-  }
-  check_layers_name(options.layers);
+  check(picture, options);
   image = claim(picture, options);
   layers = claim(options.layers, options);
   stats = claim(options.stats, options);
@@ -41,10 +41,25 @@ ViewFiles::ViewFiles(const ViewOptions& options) {
   palette = claim(options.palette.save_palette, options);
   objects_csv = claim(options.objects.csv, options);
   progressive = claim(options.progressive, options);
+  if (options.plan && needs_side_files(picture, {options.format, options.creation, {}})) {
+    world = claim(world_file_name(picture), options);
+    side = claim(picture + ".aux.xml", options);
+  }
+}
+
+void ViewFiles::check(const std::string& picture, const ViewOptions& options) const {
+  check_layers_name(options.layers);
+  if (options.plan) return check_plan_file(picture, {options.format, options.creation, {}});
+  if (wants_palette(options.palette)) check_indexed_file(picture, indexed_options(options));
+  for (const std::string& path : {picture, options.progressive}) {
+    if (!path.empty() && !wants_palette(options.palette))
+      check_image_file(path, image_size(options), {options.format, options.creation, {}});
+  }
 }
 
 void ViewFiles::commit() {
-  for (const auto* file : {&image, &layers, &stats, &camera, &palette, &objects_csv}) {
+  for (const auto* file :
+       {&world, &side, &image, &layers, &stats, &camera, &palette, &objects_csv}) {
     if (*file) (*file)->commit();
   }
 }

@@ -26,9 +26,12 @@ class ViewFiles {
   std::unique_ptr<OutputFile> camera;
   std::unique_ptr<OutputFile> palette;
   std::unique_ptr<OutputFile> objects_csv;
+  std::unique_ptr<OutputFile> world;        // of a plan that is no tif: its world file
+  std::unique_ptr<OutputFile> side;         // and GDAL's own
   std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
 
  private:
+  void check(const std::string& picture, const ViewOptions& options) const;
   std::unique_ptr<OutputFile> claim(const std::string& path, const ViewOptions& options);
 
   std::set<std::filesystem::path> claimed_;

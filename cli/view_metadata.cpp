@@ -1,5 +1,6 @@
 #include "cli/view_metadata.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 
@@ -60,7 +61,8 @@ Json sky_json(const ViewSkyOptions& sky) {
   return json;
 }
 
-Json samples_json(const SamplingOptions& options) {
+Json samples_json(const SamplingOptions& options, bool plan) {
+  if (plan) return std::max(1, options.samples);
   if (options.preview) return {{"preview", options.contrast}};
   if (options.samples > 0) return options.samples;
   return {{"adaptive", options.contrast}};
@@ -73,6 +75,15 @@ Json buildings_json(const ObjectOptions& options) {
   json["default_height_m"] = options.placing.default_height_m;
   json["base"] = name_of(options.placing.base);
   if (!options.building_color.empty()) json["color"] = options.building_color;
+  return json;
+}
+
+// What a camera's JSON says of other views.
+Json plan_json(const ViewOptions& options, const ResolvedView& view) {
+  const Json camera = camera_json(view);
+  Json json;
+  for (const char* key : {"eye", "size_px", "earth", "z_scale"}) json[key] = camera[key];
+  if (options.resolution) json["resolution"] = {options.resolution->x, options.resolution->y};
   return json;
 }
 
@@ -106,7 +117,11 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   constexpr double kDegrees = 180 / std::numbers::pi;
   Json json;
   json["program"] = std::string("terrview ") + kVersion;
-  json["camera"] = camera_json(view);
+  if (view.plan)
+    json["plan"] = plan_json(options, view);
+  else
+    json["camera"] = camera_json(view);
+  if (options.dpi) json["dpi"] = *options.dpi;
   json["dems"] = Json::array();
   for (const std::string& dem : options.dems) json["dems"].push_back(file_name(dem));
   const Json reading = reading_json(options.dem);
@@ -118,11 +133,11 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["shade"] = light.relief ? "relief" : "sun";
   json["shadows"] = !casts_shadows(light) ? "none" : light.soft_shadows ? "soft" : "hard";
   json["sky_view"] = light.sky_azimuths;
-  json["air"] = air_json(options.air);
+  if (!view.plan) json["air"] = air_json(options.air);
   json["sky"] = sky_json(options.sky);
   if (!options.objects.buildings.empty()) json["buildings"] = buildings_json(options.objects);
   if (!options.objects.trees.empty()) json["trees"] = file_name(options.objects.trees);
-  json["samples"] = samples_json(options.sampling);
+  json["samples"] = samples_json(options.sampling, view.plan);
   json["lod"] = options.sampling.detail;
   json["surface"] = name_of(options.surface);
   if (options.coherence == Coherence::neighbours) json["coherence"] = "neighbours";

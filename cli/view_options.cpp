@@ -2,6 +2,7 @@
 
 #include "cli/add_option.h"
 #include "cli/output_options.h"
+#include "cli/preset.h"
 #include "cli/view_ground.h"
 #include "cli/view_light_options.h"
 #include "cli/view_objects.h"
@@ -51,14 +52,33 @@ void add_projection_options(CLI::App& app, ViewOptions& options) {
   app.add_option_function<std::string>(
          "--projection",
          [&](const std::string& text) {
+           options.plan = text == "plan";
+           if (options.plan) return;
            options.projection = text == "perspective"   ? Projection::perspective
                                 : text == "cylindrical" ? Projection::cylindrical
                                                         : Projection::orthographic;
          },
          "How the view falls on the picture (default perspective)")
-      ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic"}))
-      ->type_name("perspective|cylindrical|orthographic");
+      ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic", "plan"}))
+      ->type_name("perspective|cylindrical|orthographic|plan");
+  add_parsed(
+      app, "--resolution",
+      [&](const std::string& text) {
+        const auto steps = parse_numbers("--resolution", text, 1, 2);
+        options.resolution = glm::dvec2(steps.front(), steps.back());
+      },
+      "Of a plan: the size of a pixel in the DEM's units (default: a post)")
+      ->type_name("DX[,DY]");
   add_number(app, "--width", options.width_m, "Metres across an orthographic picture");
+  add_parsed(
+      app, "--shift", [&](const std::string& text) { options.shift = parse_shift(text); },
+      "Of the lens, right and up, in widths and heights of the picture: uprights stay upright")
+      ->type_name("X,Y");
+  add_parsed(
+      app, "--crop", [&](const std::string& text) { options.crop = parse_crop(text); },
+      "Only these pixels of the picture, as they are in the whole")
+      ->type_name("X,Y,W,H");
+  add_preset_options(app, options);
 }
 
 void add_ground_options(CLI::App& app, ViewOptions& options) {

@@ -86,7 +86,7 @@ struct ViewOptions {
   std::vector<std::string> dems;
   DemOptions dem;
 
-  std::optional<EyePlace> eye;
+  std::optional<EyePlace> eye;    // none: a plan's is above the middle of the first DEM
   std::optional<Target> look_at;  // none: the centre of the first DEM
   std::optional<double> heading_deg;
   std::optional<double> pitch_deg;
@@ -95,6 +95,12 @@ struct ViewOptions {
   std::optional<double> width_m;
   std::optional<glm::ivec2> size_px;
   std::optional<Projection> projection;
+  bool plan = false;                     // instead of a projection
+  std::optional<glm::dvec2> resolution;  // of a plan, in units of the DEM's coordinates
+  std::optional<glm::dvec2> shift;
+  std::optional<PixelRect> crop;
+  std::string preset;
+  std::optional<double> dpi;  // for paper; a preset's size in pixels follows from it
   std::optional<EarthModel> earth;
   std::optional<double> refraction;
   std::optional<double> z_scale;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cli/interrupt.h"
+#include "cli/plan.h"
 #include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_sky.h"
@@ -94,7 +95,7 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
         sky_views(*scene.terrain, {.azimuths = options.light.sky_azimuths,
                                    .threads = options.threads,
                                    .progress = [](double) { check_interrupt(); }}));
-  scene.air = make_air(options.air);
+  if (!options.plan) scene.air = make_air(options.air);
   if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
   set_ground_colors(options, dems, scene);
   return scene;
@@ -110,6 +111,7 @@ ViewFrameOptions frame_options(const ViewOptions& options) {
   frame.surface = options.surface;
   frame.search = options.coherence == Coherence::off ? Search::plain : Search::pyramid;
   frame.threads = options.threads;
+  frame.beyond_sight = options.plan;
   return frame;
 }
 
@@ -121,6 +123,8 @@ ResolvedView known_view(const ViewOptions& options) {
   view.width_m = options.width_m.value_or(view.width_m);
   view.size_px = options.size_px.value_or(view.size_px);
   view.projection = options.projection.value_or(view.projection);
+  view.shift = options.shift.value_or(view.shift);
+  view.crop = options.crop;
   const ViewFrameOptions placed = frame_options(options);
   view.earth = placed.earth;
   view.refraction = placed.refraction;
@@ -132,30 +136,44 @@ ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
                           const std::vector<Dem>& dems) {
   if (!frame.is_geographic()) check_curved(options, dems.front());
   ResolvedView view = known_view(options);
-  view.eye = *options.eye;
+  if (!frame.is_geographic()) view.earth = EarthModel::flat;
+  view.eye = options.plan ? eye_of_plan(options, dems) : *options.eye;
   view.eye.height_m = frame.eye().height_m;
   view.eye.above_ground = false;
+  if (options.plan) {
+    resolve_plan(options, frame, dems.front(), view);
+    return view;
+  }
   const Aim aim = resolve_aim(options, frame, dems);
   view.heading_deg = aim.heading_deg;
   view.pitch_deg = aim.pitch_deg;
-  if (!frame.is_geographic()) view.earth = EarthModel::flat;
   return view;
 }
 
 Camera make_camera(const ResolvedView& view) {
-  return Camera({.projection = view.projection,
-                 .heading_rad = view.heading_deg * kRadians,
-                 .pitch_rad = view.pitch_deg * kRadians,
-                 .roll_rad = view.roll_deg * kRadians,
-                 .fov_rad = view.fov_deg * kRadians,
-                 .width_m = view.width_m,
-                 .size_px = view.size_px});
+  const Camera camera({.projection = view.projection,
+                       .heading_rad = view.heading_deg * kRadians,
+                       .pitch_rad = view.pitch_deg * kRadians,
+                       .roll_rad = view.roll_deg * kRadians,
+                       .fov_rad = view.fov_deg * kRadians,
+                       .width_m = view.width_m,
+                       .shift = view.shift,
+                       .size_px = view.size_px});
+  if (!view.crop) return camera;
+  const glm::ivec2 first = view.crop->first_px;
+  const glm::ivec2 room = view.size_px - view.crop->size_px;
+  if (view.crop->size_px.x < 1 || view.crop->size_px.y < 1 || first.x < 0 || first.y < 0 ||
+      first.x > room.x || first.y > room.y)
+    throw InputError("--crop: is not within the picture of " + std::to_string(view.size_px.x) +
+                     "x" + std::to_string(view.size_px.y) + " pixels: give X,Y,W,H in it");
+  return camera.part(*view.crop);
 }
 
 View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   const LaidWater laid = lay_water(options.water, dems);
   const std::vector<Dem>& ground = laid.lakes ? laid.lakes->dems : dems;
-  ViewFrame frame(ground, *options.eye, frame_options(options));
+  const EyePlace eye = options.plan ? eye_of_plan(options, ground) : *options.eye;
+  ViewFrame frame(ground, eye, frame_options(options));
   const ResolvedView resolved = resolve_view(options, frame, ground);
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
@@ -166,8 +184,8 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   objects.messages.insert(objects.messages.end(), laid.messages.begin(), laid.messages.end());
   scene.objects = objects.scene;
   if (has_water(options.water))
-    scene.water =
-        make_water(options.water, laid, scene, mirror_view_sky(options.sky, frame, camera, scene));
+    scene.water = make_water(options.water, laid, scene, !options.plan,
+                             mirror_view_sky(options.sky, frame, camera, scene));
   return {std::move(frame), resolved, sun, camera, std::move(scene), std::move(objects)};
 }
 

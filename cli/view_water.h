@@ -28,10 +28,11 @@ struct LaidWater {
 // Lays the lakes of the file, if there is one, into the DEMs. Throws InputError.
 [[nodiscard]] LaidWater lay_water(const WaterOptions& options, const std::vector<Dem>& dems);
 
-// The water of `scene`, which is whole but for it. `mirrored_sky` is what
-// PaintedSky::mirrored() makes. Throws InputError if the eye is under water.
+// The water of `scene`, which is whole but for it. Where it `mirrors`, `mirrored_sky` is what
+// PaintedSky::mirrored() makes, and InputError is thrown if the eye is under water; else it shows
+// its body alone, as maps do.
 [[nodiscard]] std::shared_ptr<const Water> make_water(
-    const WaterOptions& options, const LaidWater& laid, const Scene& scene,
+    const WaterOptions& options, const LaidWater& laid, const Scene& scene, bool mirrors,
     const std::shared_ptr<const PaintedSky>& mirrored_sky);
 
 }  // namespace terrview

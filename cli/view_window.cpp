@@ -93,6 +93,7 @@ double half_width(const ViewOptions& options, double steepest_rad) {
   camera.fov_rad = options.fov_deg.value_or(defaults.fov_deg) * kRadians;
   camera.size_px = options.size_px.value_or(defaults.size_px);
   camera.roll_rad = options.roll_deg.value_or(0) * kRadians;
+  camera.shift = options.shift.value_or(camera.shift);
   if (camera.projection == Projection::cylindrical) return camera.fov_rad / 2;
   double widest = 0;
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
@@ -139,7 +140,7 @@ void limit_reading(ViewOptions& options) {
   const bool aimed = options.heading_deg || options.look_at;
   // Shares of the range of heights are of the whole file's, and so are the shores of lakes.
   const bool of_whole = has_ramp_file(options) || !options.water.file.empty();
-  if (!aimed || options.earth == EarthModel::flat || options.dem.window ||
+  if (!aimed || options.plan || options.earth == EarthModel::flat || options.dem.window ||
       options.dem.choose_window || of_whole || options.projection == Projection::orthographic)
     return;
   const auto is_large = [&](const std::string& path) {

@@ -48,6 +48,9 @@ std::vector<glm::dvec2> some_posts(const Dem& dem) {
   return points;
 }
 
+// 80 degrees of arc: further, the view frame stretches too much.
+constexpr double kFurthest_m = 8.9e6;
+
 // A DEM and its place.
 struct Place {
   std::shared_ptr<const HeightGrid> grid;
@@ -217,7 +220,8 @@ std::vector<TerrainLayer> ViewFrame::Impl::flat_layers() {
 
 std::vector<TerrainLayer> ViewFrame::Impl::curved_layers(const VerticalFrame& frame) {
   const Relief heights = relief(places, options.z_scale);
-  const double sight = sight_m(frame, heights.lowest_m, heights.highest_m);
+  const double sight =
+      options.beyond_sight ? kFurthest_m : sight_m(frame, heights.lowest_m, heights.highest_m);
   std::vector<TerrainLayer> layers;
   for (const Place& place : places) {
     for (const LaidGrid& laid : lay_grid(exact_map(place), place.size(), sight)) {

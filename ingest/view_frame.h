@@ -29,7 +29,8 @@ struct ViewFrameOptions {
   double z_scale = 1;
   SurfaceModel surface = SurfaceModel::hyperboloid;
   Search search = Search::pyramid;
-  int threads = 0;  // 0 = all the processor has
+  bool beyond_sight = false;  // ground that the eye can't see matters too: for a plan
+  int threads = 0;            // 0 = all the processor has
 };
 
 // An eye's place: over a geographic point, or over a point of the first DEM's own coordinates. The

@@ -14,6 +14,22 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kLargestSide_px = 1 << 20;
+constexpr double kLargestShift = 16;
+// A whole number of pixels to the circle, but for rounding.
+constexpr double kWhole = 1e-9;
+
+// To a millionth of a pixel: sums of such numbers and of pixels are exact.
+double in_millionths(double value_px) { return std::round(value_px * 0x1p20) * 0x1p-20; }
+
+void check_shift(const CameraOptions& options) {
+  const glm::dvec2 shift = options.shift;
+  if (!(std::abs(shift.x) <= kLargestShift && std::abs(shift.y) <= kLargestShift))
+    throw InputError("--shift: give shares of the picture's width and height, as 0,0.25");
+  if (options.projection == Projection::cylindrical && shift.x != 0)
+    throw InputError("--shift: a cylindrical view is shifted up or down only: turn its --heading");
+  if (options.projection == Projection::orthographic && shift != glm::dvec2(0))
+    throw InputError("--shift: an orthographic view has no lens: move the eye");
+}
 
 void check(const CameraOptions& options) {
   const glm::ivec2 size = options.size_px;
@@ -33,6 +49,7 @@ void check(const CameraOptions& options) {
   if (options.projection == Projection::cylindrical &&
       (options.pitch_rad != 0 || options.roll_rad != 0))
     throw InputError("--pitch, --roll: a cylindrical view: it is level; leave them out");
+  check_shift(options);
 }
 
 // On the image plane at distance 1; in radians; in metres.
@@ -51,9 +68,13 @@ double size_of_pixel(const CameraOptions& options) {
 
 }  // namespace
 
-Camera::Camera(const CameraOptions& options) : options_(options) {
+Camera::Camera(const CameraOptions& options) : options_(options), whole_px_(options.size_px) {
   check(options);
   per_px_ = size_of_pixel(options);
+  const glm::dvec2 size(options.size_px);
+  middle_px_ = {size.x / 2 - in_millionths(options.shift.x * size.x),
+                size.y / 2 + in_millionths(options.shift.y * size.y)};
+  if (options.projection == Projection::cylindrical) lay_on_circle();
   const double sin_heading = std::sin(options.heading_rad);
   const double cos_heading = std::cos(options.heading_rad);
   const double sin_pitch = std::sin(options.pitch_rad);
@@ -67,16 +88,46 @@ Camera::Camera(const CameraOptions& options) : options_(options) {
   up_ = upright * cos_roll + level * sin_roll;
 }
 
+void Camera::lay_on_circle() {
+  const double around_px = 2 * kPi / per_px_;
+  const double whole_px = std::round(around_px);
+  if (whole_px > kLargestSide_px || std::abs(around_px - whole_px) > kWhole * whole_px) return;
+  circle_px_ = static_cast<int>(whole_px);
+  per_px_ = 2 * kPi / whole_px;
+  const double heading_px = std::remainder(options_.heading_rad, 2 * kPi) / per_px_;
+  east_px_ = in_millionths(heading_px - middle_px_.x);
+  east_px_ -= whole_px * std::floor(east_px_ / whole_px);
+}
+
+Camera Camera::part(const PixelRect& rect) const {
+  Camera part = *this;
+  part.options_.size_px = rect.size_px;
+  part.first_px_ += rect.first_px;
+  part.middle_px_ -= glm::dvec2(rect.first_px);
+  if (circle_px_ > 0) {
+    part.east_px_ += rect.first_px.x;
+    part.east_px_ -= circle_px_ * std::floor(part.east_px_ / circle_px_);
+  }
+  return part;
+}
+
+double Camera::azimuth(double image_x_px) const {
+  if (circle_px_ == 0) return options_.heading_rad + (image_x_px - middle_px_.x) * per_px_;
+  // Exact, so that a place on the circle has one azimuth.
+  double east_px = east_px_ + image_x_px;
+  east_px -= circle_px_ * std::floor(east_px / circle_px_);
+  return east_px * per_px_;
+}
+
 Ray Camera::ray(glm::dvec2 image_px) const {
-  const glm::dvec2 size(options_.size_px);
-  const double right_px = image_px.x - size.x / 2;
-  const double up_px = size.y / 2 - image_px.y;
+  const double right_px = image_px.x - middle_px_.x;
+  const double up_px = middle_px_.y - image_px.y;
   switch (options_.projection) {
     case Projection::perspective:
       return {{0, 0, 0}, forward_ + right_ * (right_px * per_px_) + up_ * (up_px * per_px_)};
     case Projection::cylindrical: {
-      const double azimuth = options_.heading_rad + right_px * per_px_;
-      return {{0, 0, 0}, {std::sin(azimuth), std::cos(azimuth), up_px * per_px_}};
+      const double towards = azimuth(image_px.x);
+      return {{0, 0, 0}, {std::sin(towards), std::cos(towards), up_px * per_px_}};
     }
     case Projection::orthographic:
       return {right_ * (right_px * per_px_) + up_ * (up_px * per_px_), forward_};
@@ -96,12 +147,11 @@ void Camera::aim_row(glm::dvec2 first_px, const Directions& directions) const {
     return;
   }
   // Sums in the order of ray().
-  const glm::dvec2 size(options_.size_px);
-  const glm::dvec3 above = up_ * ((size.y / 2 - first_px.y) * per_px_);
+  const glm::dvec3 above = up_ * ((middle_px_.y - first_px.y) * per_px_);
   const auto put = [&](std::span<double> values, double forward, double right, double up) {
     for (std::size_t i = 0; i < count; ++i)
       values[i] =
-          (forward + right * ((first_px.x + static_cast<int>(i) - size.x / 2) * per_px_)) + up;
+          (forward + right * ((first_px.x + static_cast<int>(i) - middle_px_.x) * per_px_)) + up;
   };
   put(directions.x, forward_.x, right_.x, above.x);
   put(directions.y, forward_.y, right_.y, above.y);
@@ -109,16 +159,17 @@ void Camera::aim_row(glm::dvec2 first_px, const Directions& directions) const {
 }
 
 std::optional<glm::dvec2> Camera::project(const glm::dvec3& point_m) const {
-  const glm::dvec2 size(options_.size_px);
   const auto pixel = [&](double right_px, double up_px) {
-    return glm::dvec2(size.x / 2 + right_px, size.y / 2 - up_px);
+    return glm::dvec2(middle_px_.x + right_px, middle_px_.y - up_px);
   };
   if (options_.projection == Projection::cylindrical) {
     const double ground_m = std::hypot(point_m.x, point_m.y);
     if (ground_m == 0) return std::nullopt;
-    const double azimuth =
-        std::remainder(std::atan2(point_m.x, point_m.y) - options_.heading_rad, 2 * kPi);
-    return pixel(azimuth / per_px_, point_m.z / ground_m / per_px_);
+    // Of its places a turn apart the one nearest to the image.
+    const double half_px = options_.size_px.x / 2.0;
+    const double aside =
+        std::remainder(std::atan2(point_m.x, point_m.y) - azimuth(half_px), 2 * kPi);
+    return glm::dvec2(half_px + aside / per_px_, pixel(0, point_m.z / ground_m / per_px_).y);
   }
   const double right_m = glm::dot(point_m, right_);
   const double up_m = glm::dot(point_m, up_);
@@ -127,21 +178,6 @@ std::optional<glm::dvec2> Camera::project(const glm::dvec3& point_m) const {
   const double depth_m = glm::dot(point_m, forward_);
   if (!(depth_m > 0)) return std::nullopt;
   return pixel(right_m / depth_m / per_px_, up_m / depth_m / per_px_);
-}
-
-PixelLattice pixel_centres(const Camera& camera) { return {.count = camera.options().size_px}; }
-
-std::optional<ColumnView> column_view(const Camera& camera, const PixelLattice& lattice) {
-  const CameraOptions& options = camera.options();
-  if (options.projection == Projection::orthographic || options.pitch_rad != 0 ||
-      options.roll_rad != 0)
-    return std::nullopt;
-  ColumnView view;
-  for (int column = 0; column < lattice.count.x; ++column)
-    view.across.emplace_back(camera.ray(lattice.at({column, 0})).direction);
-  for (int row = 0; row < lattice.count.y; ++row)
-    view.rise.push_back(camera.ray(lattice.at({0, row})).direction.z);
-  return view;
 }
 
 }  // namespace terrview

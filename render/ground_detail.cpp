@@ -22,7 +22,9 @@ GroundDetail::GroundDetail(const Terrain& terrain) {
 GroundDetail::Ground GroundDetail::seen(const Terrain& terrain, const Ray& ray, const Hit& hit,
                                         double width_m, const Ground& exact) const {
   const Layer& layer = layers_[static_cast<std::size_t>(hit.grid)];
-  const double facing = std::abs(glm::dot(exact.normal, glm::normalize(ray.direction)));
+  // From straight above a pixel covers the same posts whatever the slope.
+  const bool plumb = glm::dvec2(ray.direction) == glm::dvec2(0);
+  const double facing = plumb ? 1 : std::abs(glm::dot(exact.normal, glm::normalize(ray.direction)));
   const double side_m = width_m / std::sqrt(std::max(facing, 1 / kLongest));
   if (side_m <= layer.post_m) return exact;
   const double level = std::log2(side_m / layer.post_m);

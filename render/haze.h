@@ -18,6 +18,9 @@ namespace terrview {
 // nearer never bleeds into what lies further, nor back. The background takes no part.
 class Haze {
  public:
+  // No pixel depends on one that is further off, along rows or columns.
+  static constexpr int kReach_px = 18;
+
   // `base` must outlive it.
   Haze(const Air& air, const Raster<Sample>& base) : per_m_(air.haze_px_per_m), base_(base) {}
 

@@ -102,12 +102,20 @@ void apply_metadata(OIIO::ImageSpec& spec, const std::string& format,
     spec.attribute("ImageDescription", description);
 }
 
+void apply_dpi(OIIO::ImageSpec& spec, double dpi) {
+  if (dpi <= 0) return;
+  spec.attribute("XResolution", static_cast<float>(dpi));
+  spec.attribute("YResolution", static_cast<float>(dpi));
+  spec.attribute("ResolutionUnit", "in");
+}
+
 OIIO::ImageSpec image_spec(glm::ivec2 size_px, const std::string& format,
                            const ImageFileOptions& options) {
   const bool linear = format == "openexr";
   OIIO::ImageSpec spec(size_px.x, size_px.y, 3, linear ? OIIO::TypeFloat : OIIO::TypeUInt8);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
   apply_metadata(spec, format, options.metadata);
+  apply_dpi(spec, options.dpi);
   apply_creation(spec, format, options.creation);
   return spec;
 }

@@ -18,6 +18,7 @@ struct ImageFileOptions {
   // Text kept where the format keeps any: under its name in png and exr, as the image description
   // in tif and jpg.
   std::map<std::string, std::string> metadata = {};
+  double dpi = 0;  // pixels per inch on paper, kept by png, jpg and tif; 0 = not known
 };
 
 // Throws InputError if no picture can be written to `path`: unknown extension or option, or too

@@ -34,7 +34,7 @@ NeighbourOrder::NeighbourOrder(const Camera& camera)
   const double away_px = std::max(std::abs(from_middle.x), std::abs(from_middle.y));
   if (!(away_px < kInfinity_px)) return;
   view_ = ahead < 0 ? View::down : View::up;
-  oe_px_ = glm::dvec2(size_px_) / 2.0 + from_middle;
+  oe_px_ = camera.middle_px() + from_middle;
 }
 
 glm::dvec2 NeighbourOrder::upward(glm::ivec2 pixel) const {

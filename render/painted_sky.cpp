@@ -21,25 +21,38 @@ bool has_pixels(const Camera& camera) {
 SkyCamera sky_camera(const Camera& camera) {
   const CameraOptions& options = camera.options();
   SkyCamera sky;
-  sky.size_px = options.size_px;
+  sky.size_px = camera.whole_px();
+  sky.middle_px = camera.middle_px() + glm::dvec2(camera.first_px());
   sky.cylindrical = options.projection == Projection::cylindrical;
-  sky.focal_px = sky.cylindrical ? options.size_px.x / options.fov_rad
-                                 : options.size_px.x / 2.0 / std::tan(options.fov_rad / 2);
+  sky.focal_px =
+      sky.cylindrical ? 1 / camera.per_px() : sky.size_px.x / 2.0 / std::tan(options.fov_rad / 2);
   sky.forward = camera.forward();
   sky.right = camera.right();
   sky.up = camera.up();
   return sky;
 }
 
+SkyCamera painted_camera(const Camera& camera) {
+  SkyCamera sky = sky_camera(camera);
+  if (camera.circle_px() == 0) return sky;
+  sky.size_px.x = camera.circle_px();
+  sky.middle_px.x = camera.circle_px() / 2.0;
+  const double first_px = camera.east_px() - std::floor(camera.east_px());
+  const double middle_rad = (first_px + sky.middle_px.x) * camera.per_px();
+  sky.forward = {std::sin(middle_rad), std::cos(middle_rad), 0};
+  sky.right = {std::cos(middle_rad), -std::sin(middle_rad), 0};
+  return sky;
+}
+
 PaintedSky::PaintedSky(const SkyOptions& sky, const Camera& camera, bool cloud_shadows)
-    : PaintedSky(sky, sky_camera(camera), has_pixels(camera), cloud_shadows) {}
+    : PaintedSky(sky, painted_camera(camera), has_pixels(camera), cloud_shadows) {}
 
 PaintedSky::PaintedSky(const SkyOptions& sky, const SkyCamera& camera, bool has_pixels,
                        bool cloud_shadows)
     : camera_(camera),
       painter_(sky, camera_),
       has_pixels_(has_pixels),
-      window_count_((camera_.size_px + (kSide_px - 1)) / kSide_px),
+      window_count_(has_pixels_ ? (camera_.size_px + (kSide_px - 1)) / kSide_px : glm::ivec2(0)),
       windows_(std::make_unique<Window[]>(static_cast<std::size_t>(window_count_.x) *
                                           static_cast<std::size_t>(window_count_.y))) {
   if (cloud_shadows && sky.clouds) shadows_.emplace(*sky.clouds, sky.clear.towards_sun);
@@ -53,7 +66,7 @@ PaintedSky::~PaintedSky() = default;
 
 std::shared_ptr<const PaintedSky> PaintedSky::mirrored(const SkyOptions& sky, const Camera& camera,
                                                        bool cloud_shadows) {
-  SkyCamera below = sky_camera(camera);
+  SkyCamera below = painted_camera(camera);
   for (glm::dvec3* axis : {&below.forward, &below.right, &below.up}) axis->z = -axis->z;
   return std::shared_ptr<const PaintedSky>(
       new PaintedSky(sky, below, has_pixels(camera), cloud_shadows));

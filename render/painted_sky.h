@@ -17,8 +17,13 @@
 
 namespace terrview {
 
-// The camera as the sky sees it; an orthographic one looks one way, which no painting shows.
+// The camera as the sky sees it, with the whole of its picture; an orthographic one looks one way,
+// which no painting shows.
 [[nodiscard]] SkyCamera sky_camera(const Camera& camera);
+
+// The same, but for pixels that belong to a circle: of all that circle, from its first pixel that
+// begins east of north. All views that share their pixels have one sky.
+[[nodiscard]] SkyCamera painted_camera(const Camera& camera);
 
 class PaintedSky {
  public:
@@ -33,8 +38,8 @@ class PaintedSky {
   PaintedSky(const PaintedSky&) = delete;
   PaintedSky& operator=(const PaintedSky&) = delete;
 
-  // Linear Rec. 709: the pixel of the picture that a direction of unit length falls into; the clear
-  // sky in orthographic views.
+  // Linear Rec. 709: the pixel of painted_camera() that a direction of unit length falls into; the
+  // clear sky in orthographic views.
   [[nodiscard]] glm::vec3 color(const glm::dvec3& direction) const;
 
   // The background's at the horizon under or over a direction, without the sun and its halo.

@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "render/camera.h"
-#include "terrain/column_tracer.h"
+#include "render/pixel_lattice.h"
 #include "terrain/eye_front.h"
 #include "terrain/terrain.h"
 

@@ -5,6 +5,7 @@
 #include "render/antialias.h"
 #include "render/haze.h"
 #include "render/parallel.h"
+#include "render/picture_margin.h"
 #include "render/refine.h"
 #include "render/sampling.h"
 
@@ -158,6 +159,28 @@ class Picture {
   Frame frame_;
 };
 
+// The part of an image that the one with a margin was made for.
+template <class Pixel>
+Raster<Pixel> without_margin(const Raster<Pixel>& image, const PixelRect& margin,
+                             glm::ivec2 size_px) {
+  if (image.empty()) return {};
+  Raster<Pixel> part(size_px.x, size_px.y);
+  for (int row = 0; row < size_px.y; ++row) {
+    for (int column = 0; column < size_px.x; ++column)
+      part.at(column, row) = image.at(column - margin.first_px.x, row - margin.first_px.y);
+  }
+  return part;
+}
+
+PixelRect margin_of(const Scene& scene, const Camera& camera, const RenderOptions& options) {
+  const PixelRect alone{{0, 0}, camera.options().size_px};
+  if (camera.circle_px() == 0 && camera.whole_px() == alone.size_px) return alone;
+  const bool blurs = scene.air.haze_px_per_m > 0;
+  const bool compares = options.samples == 0 || options.preview;
+  if (!blurs && !compares) return alone;
+  return with_margin(camera, blurs ? Haze::kReach_px : kAntialiasReach_px, kFirstBlock_px);
+}
+
 }  // namespace
 
 RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
@@ -174,7 +197,19 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
 }
 
 Frame render(const Scene& scene, const Camera& camera, const RenderOptions& options) {
-  return Picture(scene, camera, options).render();
+  const PixelRect margin = margin_of(scene, camera, options);
+  const glm::ivec2 size_px = camera.options().size_px;
+  if (margin == PixelRect{{0, 0}, size_px}) return Picture(scene, camera, options).render();
+  const Camera wider = camera.part(margin);
+  RenderOptions for_wider = options;
+  if (options.improved)
+    for_wider.improved = [&](const Image& image) {
+      options.improved(without_margin(image, margin, size_px));
+    };
+  Frame frame = Picture(scene, wider, for_wider).render();
+  frame.image = without_margin(frame.image, margin, size_px);
+  frame.samples = without_margin(frame.samples, margin, size_px);
+  return frame;
 }
 
 }  // namespace terrview

@@ -77,6 +77,9 @@ struct Frame {
   RenderCounts counts;
 };
 
+// A camera that shows a part of a picture gets that part of it, to the byte, but not with
+// Coherence::neighbours. So do views around one circle of pixels where they overlap (camera.h),
+// with `preview` where its pixels are a multiple of 8, with haze of 2.
 [[nodiscard]] Frame render(const Scene& scene, const Camera& camera,
                            const RenderOptions& options = {});
 

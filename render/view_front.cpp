@@ -24,7 +24,7 @@ EyeFrontOptions options_of(const Camera& camera) {
       lowest = std::min(lowest, slope);
       highest = std::max(highest, slope);
     }
-  return {.wedge_rad = kWedge_px * options.fov_rad / options.size_px.x,
+  return {.wedge_rad = kWedge_px * options.fov_rad / camera.whole_px().x,
           .lowest_slope = lowest,
           .highest_slope = highest};
 }

@@ -22,7 +22,7 @@ glm::dvec2 pixel(const ImagePoint& point) {
 ImagePoint LayerImage::at(const glm::dvec2& place) const {
   const glm::dvec3 point_m = layer_.point_m(place);
   const double depth = glm::dot(point_m, camera_.forward);
-  const glm::dvec2 middle_px = glm::dvec2(camera_.size_px) / 2.0;
+  const glm::dvec2& middle_px = camera_.middle_px;
   return {camera_.focal_px * glm::dot(point_m, camera_.right) + middle_px.x * depth,
           -camera_.focal_px * glm::dot(point_m, camera_.up) + middle_px.y * depth, depth};
 }

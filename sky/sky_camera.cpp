@@ -7,8 +7,8 @@
 namespace terrview {
 
 glm::dvec3 SkyCamera::direction(const glm::dvec2& image_px) const {
-  const double across_px = image_px.x - size_px.x / 2.0;
-  const double up_px = size_px.y / 2.0 - image_px.y;
+  const double across_px = image_px.x - middle_px.x;
+  const double up_px = middle_px.y - image_px.y;
   if (!cylindrical) return forward * focal_px + right * across_px + up * up_px;
   const double turn_rad = across_px / focal_px;
   return (forward * std::cos(turn_rad) + right * std::sin(turn_rad)) * focal_px + up * up_px;
@@ -18,7 +18,6 @@ glm::dvec2 SkyCamera::image_of(const glm::dvec3& direction) const {
   const double ahead = glm::dot(direction, forward);
   const double aside = glm::dot(direction, right);
   const double above = glm::dot(direction, up);
-  const glm::dvec2 middle_px = glm::dvec2(size_px) / 2.0;
   if (!cylindrical)
     return {middle_px.x + focal_px * aside / ahead, middle_px.y - focal_px * above / ahead};
   return {middle_px.x + focal_px * std::atan2(aside, ahead),
@@ -28,8 +27,9 @@ glm::dvec2 SkyCamera::image_of(const glm::dvec3& direction) const {
 SkyCamera SkyCamera::facing(double column_px) const {
   if (!cylindrical) return *this;
   SkyCamera flat = *this;
-  const double turn_rad = (column_px - size_px.x / 2.0) / focal_px;
+  const double turn_rad = (column_px - middle_px.x) / focal_px;
   flat.cylindrical = false;
+  flat.middle_px.x = column_px;
   flat.forward = forward * std::cos(turn_rad) + right * std::sin(turn_rad);
   flat.right = right * std::cos(turn_rad) - forward * std::sin(turn_rad);
   return flat;

@@ -16,6 +16,7 @@ constexpr double kWholeLeaf_px = 0.01;
 SkyCamera camera_of(double pitch_rad) {
   SkyCamera camera;
   camera.size_px = kSize_px;
+  camera.middle_px = glm::dvec2(kSize_px) / 2.0;
   camera.focal_px = kSize_px.x / 2.0 / std::tan(std::numbers::pi / 6);
   camera.forward = {0, std::cos(pitch_rad), std::sin(pitch_rad)};
   camera.up = {0, -std::sin(pitch_rad), std::cos(pitch_rad)};

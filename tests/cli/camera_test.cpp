@@ -32,7 +32,10 @@ TEST_F(CameraOfView, IsMadeAgainToTheByteFromItsFile) {
        {"--eye 48,7,+20", "--eye 48,7,+20 --z-scale 2.7", "--eye 47.985,6.99,900.1 --z-scale 1.7",
         "--eye-xy 6.991,48.003,+1.5", "--eye-xy 6.991,48.003,+1.5 --z-scale 3",
         "--heading 37.3 --pitch -7.1 --roll 12 --fov 33.3", "--look-at 48.01,7.01,+30",
-        "--earth flat", "--refraction 0.2", "--projection cylindrical --fov 360",
+        "--earth flat", "--refraction 0.2", "--shift 0.13,0.21 --heading 12",
+        "--shift 0.13,0.21 --look-at 48.01,7.01", "--crop 7,5,23,31",
+        "--projection cylindrical --shift 0,-0.3 --crop 7,5,23,31",
+        "--projection cylindrical --fov 360",
         "--projection orthographic --width 4321.5 --pitch -30 --size 31x57"}) {
     SCOPED_TRACE(line);
     view(line + " --overwrite -o a.png --layers a.tif --camera a.json");

@@ -102,6 +102,33 @@ TEST(PerspectiveCamera, LooksThroughThePointsOfAPlane) {
   }
 }
 
+// What a shifted lens shows is part of what a wider one shows.
+TEST(PerspectiveCamera, ShiftsThePictureOverItsPlane) {
+  const CameraOptions wide{
+      .heading_rad = 0.4, .pitch_rad = 0.2, .roll_rad = -0.3, .size_px = {300, 300}};
+  CameraOptions shifted = wide;
+  shifted.size_px = {100, 60};
+  shifted.fov_rad = 2 * std::atan(std::tan(wide.fov_rad / 2) / 3);
+  shifted.shift = {0.5, -1.25};
+  for (const glm::dvec2 point : some_image_points(shifted.size_px)) {
+    const glm::dvec2 in_wide = point + glm::dvec2(100, 120) + glm::dvec2(50, 75);
+    const glm::dvec3 direction = Camera(shifted).ray(point).direction;
+    EXPECT_LT(angle_rad(direction, Camera(wide).ray(in_wide).direction), 1e-14);
+    EXPECT_LT(glm::distance(Camera(shifted).project(direction).value(), point), 1e-9);
+  }
+}
+
+TEST(PerspectiveCamera, KeepsPlumbLinesUprightUnderAShiftedLens) {
+  const Camera camera({.heading_rad = 1, .shift = {0.3, 0.8}, .size_px = {400, 300}});
+  for (const double aside_m : {-40.0, 10.0, 90.0}) {
+    const glm::dvec3 foot = 100.0 * camera.forward() + aside_m * camera.right();
+    const glm::dvec2 low = camera.project(foot).value();
+    const glm::dvec2 high = camera.project(foot + 60.0 * kUp).value();
+    EXPECT_NEAR(low.x, high.x, 1e-9);
+    EXPECT_NEAR(low.y, 150 + 0.8 * 300, 1e-6);
+  }
+}
+
 TEST(CylindricalCamera, IsLinearInAzimuthAndInTheTangentOfElevation) {
   for (const CameraOptions& options : some_cameras(Projection::cylindrical)) {
     const Camera camera(options);
@@ -188,9 +215,11 @@ TEST(PerspectiveCamera, ProjectsNothingFromBehind) {
 
 TEST(Camera, HasUprightColumnsBitForBitWhereItSaysSo) {
   const CameraOptions level{.heading_rad = 2, .size_px = {31, 17}};
+  CameraOptions shifted = level;
+  shifted.shift = {0.21, -0.7};
   CameraOptions around = level;
   around.projection = Projection::cylindrical;
-  for (const CameraOptions& options : {level, around}) {
+  for (const CameraOptions& options : {level, shifted, around}) {
     const Camera camera(options);
     for (int column = 0; column < 31; ++column) {
       for (int row = 0; row < 17; ++row) {
@@ -223,6 +252,11 @@ TEST(Camera, RefusesWhatMakesNoPicture) {
     expect_refused({.projection = Projection::orthographic, .width_m = width_m}, "--width");
   expect_refused({.projection = Projection::cylindrical, .pitch_rad = 0.1}, "--pitch, --roll");
   expect_refused({.projection = Projection::cylindrical, .roll_rad = 0.1}, "--pitch, --roll");
+  expect_refused({.shift = {nan, 0}}, "--shift");
+  expect_refused({.shift = {0, 17}}, "--shift");
+  expect_refused({.projection = Projection::cylindrical, .shift = {0.1, 0}}, "--shift");
+  expect_refused({.projection = Projection::orthographic, .width_m = 9, .shift = {0, 0.1}},
+                 "--shift");
 }
 
 TEST(OrthographicCamera, NeedsNoFieldOfView) {

@@ -158,6 +158,20 @@ TEST(ImageFile, KeepsItsTextWhereTheFormatKeepsAny) {
   }
 }
 
+TEST(ImageFile, KnowsItsSizeOnPaper) {
+  const TemporaryFolder folder;
+  for (const std::string extension : {"png", "jpg", "tif"}) {
+    const std::string path = folder / ("a." + extension);
+    write_image(path, levels(), {.dpi = 300});
+    const auto input = OIIO::ImageInput::open(path);
+    ASSERT_TRUE(input);
+    const std::string unit = input->spec().get_string_attribute("ResolutionUnit");
+    const double per_inch = unit == "cm" ? 2.54 : unit == "m" ? 0.0254 : 1;
+    for (const char* name : {"XResolution", "YResolution"})
+      EXPECT_NEAR(input->spec().get_float_attribute(name) * per_inch, 300, 0.01) << extension;
+  }
+}
+
 TEST(ImageFile, HasTheSameBytesASecondLater) {
   const TemporaryFolder folder;
   const std::vector<std::string> extensions{"png", "jpg", "tif", "exr", "ppm", "webp"};

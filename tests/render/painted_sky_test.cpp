@@ -43,13 +43,18 @@ std::vector<Camera> cameras() {
 TEST(PaintedSky, ShowsEachPixelTheColourOfItsDirection) {
   for (const Camera& camera : cameras()) {
     const PaintedSky sky(cloudy_sky(), camera, false);
-    const SkyPainter painter(cloudy_sky(), sky_camera(camera));
+    const SkyCamera painted = painted_camera(camera);
+    const SkyPainter painter(cloudy_sky(), painted);
     const glm::ivec2 size = camera.options().size_px;
     for (int row = 0; row < size.y; row += 7) {
       for (int column = 0; column < size.x; column += 9) {
         const glm::dvec3 direction =
             glm::normalize(camera.ray(glm::dvec2(column, row) + 0.5).direction);
-        ASSERT_EQ(sky.color(direction), painter.color({column, row})) << column << ' ' << row;
+        const glm::ivec2 pixel(glm::floor(painted.image_of(direction)));
+        ASSERT_EQ(sky.color(direction), painter.color(pixel)) << column << ' ' << row;
+        ASSERT_LT(
+            glm::distance(glm::normalize(painted.direction(glm::dvec2(pixel) + 0.5)), direction),
+            1e-12);
       }
     }
   }

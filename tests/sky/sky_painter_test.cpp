@@ -19,6 +19,7 @@ SkyCamera camera_of(double pitch_deg, glm::ivec2 size_px = {160, 120}) {
   const double pitch = pitch_deg * kRadians;
   SkyCamera camera;
   camera.size_px = size_px;
+  camera.middle_px = glm::dvec2(size_px) / 2.0;
   camera.focal_px = size_px.x / 2.0 / std::tan(25 * kRadians);
   camera.forward = {0, std::cos(pitch), std::sin(pitch)};
   camera.up = {0, -std::sin(pitch), std::cos(pitch)};
