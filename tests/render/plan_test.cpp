@@ -54,7 +54,7 @@ TEST(Plan, IsAnOrthographicViewFromStraightAbove) {
         ObjectCounts objects;
         meet_objects(scene, rays, hits, objects);
         ShadowCounts shadows;
-        const auto expected = shade(scene, {.m = 100}, rays, hits, shadows);
+        const auto expected = shade(scene, {.pixel = {.m = 100}}, rays, hits, shadows);
         differ += furthest(plan.image.at(column, row), expected[0].color) > 1e-4F ? 1 : 0;
         ASSERT_EQ(plan.covered.at(column, row), 1);
       }
