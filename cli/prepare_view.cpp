@@ -6,6 +6,7 @@
 
 #include "cli/camera_json.h"
 #include "cli/view_ground.h"
+#include "cli/view_labels.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
 #include "cli/view_setup.h"
@@ -86,6 +87,7 @@ void prepare(ViewOptions& options) {
   check_objects(options.objects);
   check_ground_colors(options);
   check_water(options.water);
+  check_labels(options.labels);
   const ResolvedView known = known_view(options);
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera

@@ -58,11 +58,16 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
   };
   if (files.progressive)
     how.improved = [&, to_file = image_options(options, view)](const Image& image) {
-      files.progressive->fill([&](const std::string& path) { write_image(path, image, to_file); });
+      Image labelled = image;
+      draw_labels(view.labels, labelled);
+      files.progressive->fill(
+          [&](const std::string& path) { write_image(path, labelled, to_file); });
       files.progressive->commit();
     };
   try {
-    return terrview::render(view.scene, view.camera, how);
+    Frame frame = terrview::render(view.scene, view.camera, how);
+    draw_labels(view.labels, frame.image);
+    return frame;
   } catch (const Interrupted&) {
     if (files.progressive && files.progressive->exists())
       throw Interrupted{files.progressive->path()};
@@ -90,6 +95,11 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
   if (files.objects_csv)
     files.objects_csv->fill([&](const std::string& path) {
       write_file(path, objects_csv(view, frame, options.threads));
+    });
+  if (files.labels_svg)
+    files.labels_svg->fill([&](const std::string& path) {
+      write_file(path, labels_svg(view.labels, view.camera,
+                                  view_metadata(options, view.resolved, view.sun)));
     });
   if (files.camera)
     files.camera->fill([&](const std::string& path) { write_file(path, camera_text + "\n"); });

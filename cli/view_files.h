@@ -26,6 +26,8 @@ class ViewFiles {
   std::unique_ptr<OutputFile> camera;
   std::unique_ptr<OutputFile> palette;
   std::unique_ptr<OutputFile> objects_csv;
+  std::unique_ptr<OutputFile> labels_svg;
+  std::unique_ptr<OutputFile> wireline;
   std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
 
  private:

@@ -3,6 +3,7 @@
 #include "cli/add_option.h"
 #include "cli/output_options.h"
 #include "cli/view_ground.h"
+#include "cli/view_labels.h"
 #include "cli/view_light_options.h"
 #include "cli/view_objects.h"
 #include "cli/view_sky.h"
@@ -151,6 +152,7 @@ void add_view_options(CLI::App& app, ViewOptions& options) {
   add_air_options(app, options.air);
   add_view_sky_options(app, options.sky);
   add_object_options(app, options.objects);
+  add_label_options(app, options.labels);
   add_sampling_options(app, options);
   add_output_options(app, options);
 }
