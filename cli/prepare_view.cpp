@@ -11,6 +11,7 @@
 #include "cli/view_objects.h"
 #include "cli/view_setup.h"
 #include "cli/view_water.h"
+#include "cli/view_wireline.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -88,6 +89,7 @@ void prepare(ViewOptions& options) {
   check_ground_colors(options);
   check_water(options.water);
   check_labels(options.labels);
+  check_wireline(options.wireline);
   const ResolvedView known = known_view(options);
   check_projection(given, known.projection);
   static_cast<void>(make_camera(known));  // throws if there is no such camera

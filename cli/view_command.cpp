@@ -17,6 +17,7 @@
 #include "cli/view_outputs.h"
 #include "cli/view_setup.h"
 #include "cli/view_window.h"
+#include "cli/view_wireline.h"
 #include "render/image_file.h"
 #include "render/stopwatch.h"
 #include "render/write_file.h"
@@ -75,6 +76,19 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
   }
 }
 
+std::string wireline_text(const ViewOptions& options, const View& view) {
+  ProgressBar bar("drawing lines", shows_bar(options));
+  const Wireline wireline = trace_wireline(view.scene, view.camera,
+                                           {.step_posts = options.wireline.step_posts.value_or(0),
+                                            .threads = options.threads,
+                                            .progress = [&](double share) {
+                                              check_interrupt();
+                                              bar.report(share);
+                                            }});
+  return wireline_svg(wireline, view.camera.options().size_px,
+                      view_metadata(options, view.resolved, view.sun));
+}
+
 void write(const ViewOptions& options, const View& view, const Frame& frame,
            const ViewFiles& files) {
   const std::string camera_text = camera_json(view.resolved).dump(2);
@@ -101,6 +115,9 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
       write_file(path, labels_svg(view.labels, view.camera,
                                   view_metadata(options, view.resolved, view.sun)));
     });
+  if (files.wireline)
+    files.wireline->fill(
+        [&](const std::string& path) { write_file(path, wireline_text(options, view)); });
   if (files.camera)
     files.camera->fill([&](const std::string& path) { write_file(path, camera_text + "\n"); });
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-enum class Fate { seen, without_ground, hidden, in_the_air, outside };
+enum class Fate { seen, without_ground, under_the_eye, hidden, in_the_air, outside };
 
 struct Summit {
   Fate fate = Fate::hidden;
@@ -46,8 +46,9 @@ class SummitFinder {
     if (!(glm::length(ground_m) <= terrain.reach_m())) return Fate::without_ground;
     const auto ground = terrain.ground_at(ground_m);
     if (!ground) return Fate::without_ground;
-    const auto top_m =
-        seen_summit(scene_, camera_, ground_m, summit_reach_m(terrain, *ground, ground_m));
+    const double reach_m = summit_reach_m(terrain, *ground, ground_m);
+    if (glm::length(ground_m) <= reach_m) return Fate::under_the_eye;
+    const auto top_m = seen_summit(scene_, camera_, ground_m, reach_m);
     if (!top_m) return Fate::hidden;
     SummitLabel& label = summit.label;
     label.distance_m = glm::length(frame_.to_true_enu(*top_m));
@@ -131,6 +132,7 @@ std::string summary(const PeakFile& file, const std::vector<Summit>& summits,
          std::to_string(seen) + " summits seen" +
          counted(seen - static_cast<std::ptrdiff_t>(labelled), "of them without room for a label") +
          counted(count(Fate::hidden), "hidden") +
+         counted(count(Fate::under_the_eye), "under the eye") +
          counted(count(Fate::in_the_air), "further than the visibility") +
          counted(count(Fate::outside), "outside the picture") +
          counted(count(Fate::without_ground), "beside the ground") +

@@ -8,6 +8,7 @@
 #include "cli/view_objects.h"
 #include "cli/view_sky.h"
 #include "cli/view_water.h"
+#include "cli/view_wireline.h"
 
 namespace terrview {
 namespace {
@@ -153,6 +154,7 @@ void add_view_options(CLI::App& app, ViewOptions& options) {
   add_view_sky_options(app, options.sky);
   add_object_options(app, options.objects);
   add_label_options(app, options.labels);
+  add_wireline_options(app, options.wireline);
   add_sampling_options(app, options);
   add_output_options(app, options);
 }
