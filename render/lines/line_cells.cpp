@@ -39,7 +39,8 @@ class Square {
 
   // What the outline leaves whole.
   [[nodiscard]] std::vector<std::vector<Corner>> pieces() const {
-    if (crossed_.empty()) return {{corners_.begin(), corners_.end()}};
+    // An outline that ends within the square leaves it whole.
+    if (crossed_.size() < 2) return {{corners_.begin(), corners_.end()}};
     if (crossed_.size() != 2) return {};
     return {piece(crossed_[0], crossed_[1], 0), piece(crossed_[1], crossed_[0], 1)};
   }
@@ -62,7 +63,13 @@ class Square {
   }
 
   [[nodiscard]] static LineKind kind_of(const LineCrossing& crossing) {
-    return crossing.front().thing > LinePoint::kGround ? LineKind::object : LineKind::silhouette;
+    // Where an object stands on the ground, neither is before the other.
+    constexpr double kTouch = 2e-3;
+    const double apart_m = std::abs(crossing.first.distance_m - crossing.second.distance_m);
+    const bool touch = apart_m < kTouch * crossing.front().distance_m;
+    const bool object = std::max(crossing.first.thing, crossing.second.thing) > LinePoint::kGround;
+    return object && (touch || crossing.front().thing > LinePoint::kGround) ? LineKind::object
+                                                                            : LineKind::silhouette;
   }
 
   void join(int a, int b, std::vector<LineSegment>& segments) const {
@@ -71,7 +78,8 @@ class Square {
     segments.push_back({object ? LineKind::object : LineKind::silhouette,
                         {{corner(a).side, kOutline}, {corner(b).side, kOutline}},
                         {crossing(a).at_px, crossing(b).at_px},
-                        {crossing(a).front().distance_m, crossing(b).front().distance_m}});
+                        {crossing(a).front().distance_m, crossing(b).front().distance_m},
+                        std::max(crossing(a).gap, crossing(b).gap)});
   }
 
   // How unlike the outlines through two sides are.
@@ -97,7 +105,8 @@ class Square {
     segments.push_back({kind_of(end),
                         {{corner(order[2]).side, kOutline}, {inside_, kOutline}},
                         {end.at_px, 0.5 * (crossing(order[0]).at_px + crossing(order[1]).at_px)},
-                        {end.front().distance_m, end.front().distance_m}});
+                        {end.front().distance_m, end.front().distance_m},
+                        end.gap});
   }
 
   void add_two(std::vector<LineSegment>& segments) const {
@@ -168,7 +177,7 @@ class GridLines {
       const double distance_m =
           a.shows.distance_m + share * (b.shows.distance_m - a.shows.distance_m);
       if (!open) {
-        open = LineSegment{LineKind::grid, {node, {}}, {at_px, {}}, {distance_m, 0}};
+        open = LineSegment{LineKind::grid, {node, {}}, {at_px, {}}, {distance_m, 0}, 0};
         continue;
       }
       open->ends[1] = node;

@@ -58,8 +58,8 @@ std::vector<LinePoint> LineTracer::at(std::span<const glm::dvec2> image_px) cons
 }
 
 double LineTracer::gap(const LinePoint& a, const LinePoint& b) const {
-  constexpr double kPosts = 2;
-  constexpr double kShare = 0.02;
+  constexpr double kPosts = 2.0 / 3;
+  constexpr double kShare = 0.02 / 3;
   constexpr double kObject_m = 0.5;
   constexpr double kCrease = 0.34729635533386066;  // 2 sin(10 degrees)
   if (a.thing != b.thing) return kUnlike;
@@ -76,8 +76,8 @@ std::optional<LineCrossing> LineTracer::crossing(glm::dvec2 first_px, const Line
                                                  glm::dvec2 second_px,
                                                  const LinePoint& second) const {
   constexpr int kSteps = 14;
-  LineCrossing found{{}, first, second};
-  if (gap(first, second) < 1) return std::nullopt;
+  LineCrossing found{{}, first, second, gap(first, second)};
+  if (found.gap < 1) return std::nullopt;
   double low = 0;
   double high = 1;
   const auto place = [&](double share) { return first_px + share * (second_px - first_px); };
@@ -86,7 +86,8 @@ std::optional<LineCrossing> LineTracer::crossing(glm::dvec2 first_px, const Line
     const LinePoint between = at(place(middle));
     const double before = gap(found.first, between);
     const double behind = gap(between, found.second);
-    if (std::max(before, behind) < 1) return std::nullopt;
+    found.gap = std::max(before, behind);
+    if (found.gap < 1) return std::nullopt;
     (before >= behind ? high : low) = middle;
     (before >= behind ? found.second : found.first) = between;
   }

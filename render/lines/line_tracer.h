@@ -33,6 +33,7 @@ struct LineCrossing {
   glm::dvec2 at_px;
   LinePoint first;   // just before it, seen from the first of the two points
   LinePoint second;  // just behind it
+  double gap = 1;    // between them; 1 is the least
 
   // The thing whose outline it is: the nearer.
   [[nodiscard]] const LinePoint& front() const {
@@ -49,9 +50,9 @@ class LineTracer {
   [[nodiscard]] std::vector<LinePoint> at(std::span<const glm::dvec2> image_px) const;
 
   // The outline between two points that show `first` and `second`, to 1e-4 of their distance; the
-  // widest gap where there are several. Ground ends before ground where the distance jumps by two
-  // posts and a fiftieth of itself. An object ends before whatever else, and at its own creases of
-  // more than 20 degrees.
+  // widest gap where there are several. Ground ends before ground where the distance jumps by
+  // two thirds of a post and of a percent: a gap of 1. An object ends before whatever else, and at
+  // its own creases of more than 20 degrees.
   [[nodiscard]] std::optional<LineCrossing> crossing(glm::dvec2 first_px, const LinePoint& first,
                                                      glm::dvec2 second_px,
                                                      const LinePoint& second) const;

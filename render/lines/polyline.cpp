@@ -69,10 +69,11 @@ class Joiner {
   }
 
   Polyline walk(End start) {
-    Polyline line{segments_[start.segment].kind, {}, {}};
+    Polyline line{segments_[start.segment].kind, {}, {}, 0};
     add(start, line);
     while (start.segment != kNone.segment && !done_[start.segment]) {
       done_[start.segment] = true;
+      line.gap = std::max(line.gap, segments_[start.segment].gap);
       const End end{start.segment, 1 - start.side};
       add(end, line);
       start = next(end);

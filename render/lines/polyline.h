@@ -24,12 +24,14 @@ struct LineSegment {
   LineNode ends[2];
   glm::dvec2 points_px[2];
   double distances_m[2];
+  double gap = 0;  // of the outline it is part of
 };
 
 struct Polyline {
   LineKind kind;
   std::vector<glm::dvec2> points_px;
   std::vector<double> distances_m;  // of the points
+  double gap = 0;                   // the widest of its segments
 };
 
 // Joins segments where exactly two of a kind meet. Every segment is part of one polyline; those of

@@ -14,8 +14,12 @@ namespace terrview {
 namespace {
 
 constexpr double kTolerance_px = 0.15;
-// Shorter lines are specks.
-constexpr double kLeast_px = 3;
+// Shorter lines are specks, but for those of objects and of the sky, and of gaps as wide as these.
+constexpr double kLeast_px = 4;
+constexpr double kVast = 100;
+// An outline of the ground is drawn where it has such a gap somewhere: two posts and a fiftieth of
+// the distance. Along it, gaps that are less do not break it.
+constexpr double kWide = 3;
 constexpr int kStripRows = 16;
 
 class Tracing {
@@ -90,7 +94,9 @@ int depth_of(const std::vector<double>& limits_m, double distance_m) {
 
 // Cuts a polyline where its depth changes.
 void add_line(const Polyline& line, Wireline& wireline) {
-  if (line.kind == LineKind::grid && length_px(line.points_px) < kLeast_px) return;
+  if (line.kind != LineKind::object && line.gap < kVast && length_px(line.points_px) < kLeast_px)
+    return;
+  if (line.kind == LineKind::silhouette && line.gap < kWide) return;
   ViewLine part{line.kind, depth_of(wireline.limits_m, line.distances_m.front()), {}};
   const auto finish = [&] {
     part.points_px = simplified(part.points_px, kTolerance_px);
