@@ -18,7 +18,7 @@ struct LabelInk {
   glm::ivec2 foot_px;  // of the leader: the pixel of the anchor
 };
 
-// Dark letters and leaders in a white halo of two pixels.
+// Dark letters and leaders in white halos of two pixels and of one.
 void draw_labels(std::span<const LabelInk> labels, const Font& font, Image& image);
 
 }  // namespace terrview

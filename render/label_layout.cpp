@@ -12,7 +12,9 @@ bool overlap(const LabelBox& a, const LabelBox& b) {
          b.low_px.y < a.high_px.y;
 }
 
-LabelBox grown(const LabelBox& box, int by_px) { return {box.low_px - by_px, box.high_px + by_px}; }
+LabelBox grown(const LabelBox& box, glm::ivec2 by_px) {
+  return {box.low_px - by_px, box.high_px + by_px};
+}
 
 struct Placed {
   LabelBox box;
@@ -25,7 +27,9 @@ class Layout {
 
   std::optional<LabelBox> place(const LabelRequest& request) {
     for (const bool sky_alone : {true, false}) {
-      for (int top = lowest_top(request); top >= options_.gap_px; top -= row_px()) {
+      const int highest = sky_alone ? lowest_top(request) - options_.size_px.y / 4 : 0;
+      for (int top = lowest_top(request); top >= std::max(highest, options_.gap_px);
+           top -= row_px()) {
         for (const int left : lefts(request)) {
           const Placed candidate = at({left, top}, request);
           if (!fits(candidate, sky_alone)) continue;
@@ -69,10 +73,12 @@ class Layout {
     if (box.low_px.x < 0 || box.high_px.x > options_.size_px.x) return false;
     if (leader.low_px.x < box.low_px.x || leader.low_px.x >= box.high_px.x) return false;
     if (sky_alone && !covers_sky_alone(box)) return false;
+    const glm::ivec2 gap(options_.gap_px);
+    const glm::ivec2 blank(options_.line_px / 2, options_.gap_px);
     return std::none_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
-      const int gap = options_.gap_px;
-      return overlap(grown(box, gap), other.box) || overlap(grown(box, gap), other.leader) ||
-             overlap(grown(other.box, gap), leader) || overlap(grown(leader, 1), other.leader);
+      return overlap(grown(box, blank), other.box) || overlap(grown(box, gap), other.leader) ||
+             overlap(grown(other.box, gap), leader) ||
+             overlap(grown(leader, glm::ivec2(1)), other.leader);
     });
   }
 

@@ -179,8 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
                              47.90083, 7.09833, 1423, 3600, 300, 360, 180, 9},
                     Panorama{"Liechtenstein", "liechtenstein/li_srtm3_filled.tif",
                              "liechtenstein/li_peaks.csv",
-                             "--eye 47.2205,9.5140,+10 --heading 150 --fov 100 --size 1600x500",
-                             47.2205, 9.5140, 450, 1600, 500, 100, 150, 6}),
+                             "--eye 47.1755,9.5730,+150 --heading 170 --fov 110 --size 1600x500",
+                             47.1755, 9.5730, 2145, 1600, 500, 110, 170, 15}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
