@@ -104,7 +104,11 @@ class PeakReader {
       const auto y = feature.text(columns.y);
       if (!x || !y) continue;
       from_degrees_ = columns.geographic;
-      return glm::dvec2(coordinate(feature, *x), coordinate(feature, *y));
+      const glm::dvec2 place(coordinate(feature, *x), coordinate(feature, *y));
+      if (columns.geographic && !(std::abs(place.x) <= 360 && std::abs(place.y) <= 90))
+        feature.refuse("latitude " + *y + ", longitude " + *x +
+                       " is nowhere on the Earth: give degrees");
+      return place;
     }
     return std::nullopt;
   }
