@@ -25,8 +25,7 @@ struct PlaceColumns {
 
 const std::array<PlaceColumns, 2>& place_columns() {
   static const std::array<PlaceColumns, 2> columns{
-      {{{"lon", "longitude", "long", "lng"}, {"lat", "latitude"}, true},
-       {{"x", "easting"}, {"y", "northing"}, false}}};
+      {{{"lon", "longitude"}, {"lat", "latitude"}, true}, {{"x"}, {"y"}, false}}};
   return columns;
 }
 
@@ -59,7 +58,7 @@ class PeakReader {
  public:
   PeakFile read(const std::string& path) {
     result_.file = read_vector_file(path, [&](const VectorFeature& feature) { take(feature); });
-    if (from_degrees_) {
+    if (from_degrees_.value_or(false)) {
       result_.file.crs_wkt = "OGC:CRS84";
       result_.file.geographic = true;
     }
@@ -103,6 +102,8 @@ class PeakReader {
       const auto x = feature.text(columns.x);
       const auto y = feature.text(columns.y);
       if (!x || !y) continue;
+      if (from_degrees_.value_or(columns.geographic) != columns.geographic)
+        feature.refuse("has x and y where others have lat and lon: give all the same");
       from_degrees_ = columns.geographic;
       const glm::dvec2 place(coordinate(feature, *x), coordinate(feature, *y));
       if (columns.geographic && !(std::abs(place.x) <= 360 && std::abs(place.y) <= 90))
@@ -133,7 +134,7 @@ class PeakReader {
   }
 
   PeakFile result_;
-  bool from_degrees_ = false;
+  std::optional<bool> from_degrees_;  // of a table; none: no row has told
   std::string fields_;
 };
 

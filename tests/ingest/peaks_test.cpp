@@ -81,6 +81,8 @@ TEST_F(Peaks, AreRefusedWhereAPlaceIsNoNumberOrANameNoUtf8) {
   EXPECT_NE(refused("p.csv", "name,lat,lon\nA,47 N,9\n").find("feature 1"), std::string::npos);
   EXPECT_NE(refused("p.csv", "name,lat,lon\nA,nan,9\n").find("nowhere"), std::string::npos);
   EXPECT_NE(refused("p.csv", "name,lat,lon\nA,95,9\n").find("nowhere"), std::string::npos);
+  EXPECT_NE(refused("p.csv", "name,lat,lon,x,y\nA,47,9,1,2\nB,,,1,2\n").find("feature 2"),
+            std::string::npos);
   EXPECT_NE(refused("p.csv", "name,x,y\nA,1e10,9\n").find("nowhere"), std::string::npos);
   EXPECT_NE(refused("p.csv", "name,lat,lon\nS\xe4ntis,47,9\n").find("UTF-8"), std::string::npos);
   EXPECT_NE(refused("p.csv", "name,lat,lon\n"), "");
