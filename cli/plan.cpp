@@ -65,7 +65,7 @@ void check_plan(const ViewOptions& options) {
     return;
   }
   const AirOptions& air = options.air;
-  const std::array<std::pair<bool, const char*>, 21> useless{
+  const std::array<std::pair<bool, const char*>, 23> useless{
       {{!options.preset.empty(), "--preset"},
        {options.look_at.has_value(), "--look-at"},
        {options.heading_deg.has_value(), "--heading"},
@@ -81,6 +81,8 @@ void check_plan(const ViewOptions& options) {
        {!options.camera.empty(), "--camera"},
        {!options.layers.empty(), "--layers"},
        {!options.objects.csv.empty(), "--objects-csv"},
+       {!options.labels.peaks.empty(), "--peaks"},
+       {!options.wireline.file.empty(), "--wireline"},
        {!options.progressive.empty(), "--progressive"},
        {options.sampling.preview, "--preview"},
        {wants_palette(options.palette), "--palette"},

@@ -8,10 +8,12 @@
 #include "cli/plan.h"
 #include "cli/preset.h"
 #include "cli/view_ground.h"
+#include "cli/view_labels.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
 #include "cli/view_setup.h"
 #include "cli/view_water.h"
+#include "cli/view_wireline.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -93,6 +95,10 @@ void prepare(ViewOptions& options) {
   check_objects(options.objects);
   check_ground_colors(options);
   check_water(options.water);
+  check_labels(options.labels);
+  if (options.crop && !options.labels.peaks.empty())
+    throw InputError("--crop: names find their room in a whole picture: leave out --peaks");
+  check_wireline(options.wireline);
   const ResolvedView known = known_view(options);
   check_projection(given, known);
   static_cast<void>(make_camera(known));  // throws if there is no such camera

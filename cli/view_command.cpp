@@ -19,6 +19,7 @@
 #include "cli/view_outputs.h"
 #include "cli/view_setup.h"
 #include "cli/view_window.h"
+#include "cli/view_wireline.h"
 #include "render/image_file.h"
 #include "render/stopwatch.h"
 #include "render/write_file.h"
@@ -61,16 +62,34 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
   };
   if (files.progressive)
     how.improved = [&, to_file = image_options(options, view)](const Image& image) {
-      files.progressive->fill([&](const std::string& path) { write_image(path, image, to_file); });
+      Image labelled = image;
+      draw_labels(view.labels, labelled);
+      files.progressive->fill(
+          [&](const std::string& path) { write_image(path, labelled, to_file); });
       files.progressive->commit();
     };
   try {
-    return terrview::render(view.scene, view.camera, how);
+    Frame frame = terrview::render(view.scene, view.camera, how);
+    draw_labels(view.labels, frame.image);
+    return frame;
   } catch (const Interrupted&) {
     if (files.progressive && files.progressive->exists())
       throw Interrupted{files.progressive->path()};
     throw;
   }
+}
+
+std::string wireline_text(const ViewOptions& options, const View& view) {
+  ProgressBar bar("drawing lines", shows_bar(options));
+  const Wireline wireline = trace_wireline(view.scene, view.camera,
+                                           {.step_posts = options.wireline.step_posts.value_or(0),
+                                            .threads = options.threads,
+                                            .progress = [&](double share) {
+                                              check_interrupt();
+                                              bar.report(share);
+                                            }});
+  return wireline_svg(wireline, view.camera.options().size_px,
+                      view_metadata(options, view.resolved, view.sun));
 }
 
 void write(const ViewOptions& options, const View& view, const Frame& frame,
@@ -94,6 +113,14 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
     files.objects_csv->fill([&](const std::string& path) {
       write_file(path, objects_csv(view, frame, options.threads));
     });
+  if (files.labels_svg)
+    files.labels_svg->fill([&](const std::string& path) {
+      write_file(path, labels_svg(view.labels, view.camera,
+                                  view_metadata(options, view.resolved, view.sun)));
+    });
+  if (files.wireline)
+    files.wireline->fill(
+        [&](const std::string& path) { write_file(path, wireline_text(options, view)); });
   if (files.camera)
     files.camera->fill([&](const std::string& path) { write_file(path, camera_text + "\n"); });
 }

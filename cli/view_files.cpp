@@ -40,6 +40,8 @@ ViewFiles::ViewFiles(const ViewOptions& options) {
   camera = claim(options.camera, options);
   palette = claim(options.palette.save_palette, options);
   objects_csv = claim(options.objects.csv, options);
+  labels_svg = claim(options.labels.svg, options);
+  wireline = claim(options.wireline.file, options);
   progressive = claim(options.progressive, options);
   if (options.plan && needs_side_files(picture, {options.format, options.creation, {}})) {
     world = claim(world_file_name(picture), options);
@@ -58,8 +60,8 @@ void ViewFiles::check(const std::string& picture, const ViewOptions& options) co
 }
 
 void ViewFiles::commit() {
-  for (const auto* file :
-       {&world, &side, &image, &layers, &stats, &camera, &palette, &objects_csv}) {
+  for (const auto* file : {&world, &side, &image, &layers, &stats, &camera, &palette, &objects_csv,
+                           &labels_svg, &wireline}) {
     if (*file) (*file)->commit();
   }
 }
@@ -70,7 +72,7 @@ std::unique_ptr<OutputFile> ViewFiles::claim(const std::string& path, const View
     throw InputError("'" + path + "': named for two outputs: give each a name of its own");
   std::vector<std::string> inputs = options.dems;
   inputs.insert(inputs.end(), {options.objects.buildings, options.objects.trees, options.drape,
-                               options.water.file});
+                               options.water.file, options.labels.peaks, options.labels.font});
   for (const std::string& input : inputs) {
     std::error_code not_both_exist;
     if (std::filesystem::equivalent(path, input, not_both_exist))

@@ -26,8 +26,10 @@ class ViewFiles {
   std::unique_ptr<OutputFile> camera;
   std::unique_ptr<OutputFile> palette;
   std::unique_ptr<OutputFile> objects_csv;
-  std::unique_ptr<OutputFile> world;        // of a plan that is no tif: its world file
-  std::unique_ptr<OutputFile> side;         // and GDAL's own
+  std::unique_ptr<OutputFile> world;  // of a plan that is no tif: its world file
+  std::unique_ptr<OutputFile> side;   // and GDAL's own
+  std::unique_ptr<OutputFile> labels_svg;
+  std::unique_ptr<OutputFile> wireline;
   std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
 
  private:

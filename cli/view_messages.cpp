@@ -62,6 +62,7 @@ void say_where_the_sun_is(const SunPosition& sun) {
 void say_what_is_seen(const std::vector<Dem>& dems, const View& view) {
   say_what_was_read(dems, view.frame);
   for (const std::string& line : view.objects.messages) std::fprintf(stderr, "%s\n", line.c_str());
+  for (const std::string& line : view.labels.messages) std::fprintf(stderr, "%s\n", line.c_str());
   if (view.resolved.plan)
     std::fprintf(stderr, "plan: %d x %d pixels\n", view.resolved.size_px.x,
                  view.resolved.size_px.y);

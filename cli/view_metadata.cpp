@@ -87,6 +87,14 @@ Json plan_json(const ViewOptions& options, const ResolvedView& view) {
   return json;
 }
 
+Json labels_json(const LabelOptions& options) {
+  Json json;
+  json["file"] = file_name(options.peaks);
+  if (options.size_px) json["size_px"] = *options.size_px;
+  if (!options.font.empty()) json["font"] = file_name(options.font);
+  return json;
+}
+
 Json palette_json(const PaletteOptions& options) {
   Json json;
   if (options.colors) json["colors"] = *options.colors;
@@ -137,6 +145,7 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   json["sky"] = sky_json(options.sky);
   if (!options.objects.buildings.empty()) json["buildings"] = buildings_json(options.objects);
   if (!options.objects.trees.empty()) json["trees"] = file_name(options.objects.trees);
+  if (!options.labels.peaks.empty()) json["peaks"] = labels_json(options.labels);
   json["samples"] = samples_json(options.sampling, view.plan);
   json["lod"] = options.sampling.detail;
   json["surface"] = name_of(options.surface);

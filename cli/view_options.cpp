@@ -4,10 +4,12 @@
 #include "cli/output_options.h"
 #include "cli/preset.h"
 #include "cli/view_ground.h"
+#include "cli/view_labels.h"
 #include "cli/view_light_options.h"
 #include "cli/view_objects.h"
 #include "cli/view_sky.h"
 #include "cli/view_water.h"
+#include "cli/view_wireline.h"
 
 namespace terrview {
 namespace {
@@ -171,6 +173,8 @@ void add_view_options(CLI::App& app, ViewOptions& options) {
   add_air_options(app, options.air);
   add_view_sky_options(app, options.sky);
   add_object_options(app, options.objects);
+  add_label_options(app, options.labels);
+  add_wireline_options(app, options.wireline);
   add_sampling_options(app, options);
   add_output_options(app, options);
 }

@@ -75,6 +75,18 @@ struct ObjectOptions {
   std::string csv;
 };
 
+struct LabelOptions {
+  std::string peaks;
+  std::string svg;
+  std::string font;  // empty: a usual one
+  std::optional<int> size_px;
+};
+
+struct WirelineOptions {
+  std::string file;
+  std::optional<int> step_posts;  // none: as the picture has room
+};
+
 struct SamplingOptions {
   int samples = 0;  // a pixel; 0 = adaptive
   double contrast = 0.03;
@@ -113,6 +125,8 @@ struct ViewOptions {
   AirOptions air;
   ViewSkyOptions sky;
   ObjectOptions objects;
+  LabelOptions labels;
+  WirelineOptions wireline;
   SamplingOptions sampling;
   std::string colors;
   NaturalOptions natural;

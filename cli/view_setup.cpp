@@ -186,7 +186,9 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
   if (has_water(options.water))
     scene.water = make_water(options.water, laid, scene, !options.plan,
                              mirror_view_sky(options.sky, frame, camera, scene));
-  return {std::move(frame), resolved, sun, camera, std::move(scene), std::move(objects)};
+  ViewLabels labels = make_labels(options, frame, camera, scene);
+  return {std::move(frame),   resolved,         sun, camera, std::move(scene),
+          std::move(objects), std::move(labels)};
 }
 
 }  // namespace terrview

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/camera_json.h"
+#include "cli/view_labels.h"
 #include "cli/view_objects.h"
 #include "cli/view_options.h"
 #include "ingest/view_frame.h"
@@ -29,6 +30,7 @@ struct View {
   Camera camera;
   Scene scene;
   ViewObjects objects;
+  ViewLabels labels;
 };
 
 [[nodiscard]] View make_view(const ViewOptions& options, const std::vector<Dem>& dems);

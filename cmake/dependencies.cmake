@@ -18,6 +18,7 @@ endif()
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 find_package(CLI11 2.1 CONFIG REQUIRED)
 find_package(TBB 2021.8 CONFIG REQUIRED)
+find_package(Freetype 2.12 REQUIRED)
 
 # Debian ships GeographicLib with a find module instead of a CMake package.
 list(APPEND CMAKE_MODULE_PATH /usr/share/cmake/geographiclib)

@@ -1,5 +1,6 @@
 #include "ingest/vector_file.h"
 
+#include <algorithm>
 #include <cctype>
 #include <memory>
 
@@ -82,15 +83,18 @@ std::optional<std::string> VectorFeature::text(std::span<const std::string_view>
   return std::nullopt;
 }
 
-void VectorFeature::require_field(std::string_view name) const {
+std::string VectorFeature::fields() const {
   constexpr int kMostNamed = 20;
-  std::string known;
-  for (int i = 0; i < feature_.GetFieldCount(); ++i) {
-    const std::string field = feature_.GetFieldDefnRef(i)->GetNameRef();
-    if (same_name(field, name)) return;
-    if (i < kMostNamed) known += (known.empty() ? "" : ", ") + field;
-    if (i == kMostNamed) known += ", ...";
-  }
+  std::string names;
+  for (int i = 0; i < std::min(feature_.GetFieldCount(), kMostNamed); ++i)
+    names += (i > 0 ? ", " : "") + std::string(feature_.GetFieldDefnRef(i)->GetNameRef());
+  return names + (feature_.GetFieldCount() > kMostNamed ? ", ..." : "");
+}
+
+void VectorFeature::require_field(std::string_view name) const {
+  for (int i = 0; i < feature_.GetFieldCount(); ++i)
+    if (same_name(feature_.GetFieldDefnRef(i)->GetNameRef(), name)) return;
+  const std::string known = fields();
   refuse_file(file_, kAnyFeature,
               "has no field '" + std::string(name) +
                   "': " + (known.empty() ? "it has none" : "give one of " + known));

@@ -29,6 +29,9 @@ class VectorFeature {
   // case, and whether they have ':' or '_'.
   [[nodiscard]] std::optional<std::string> text(std::span<const std::string_view> names) const;
 
+  // The names of the fields that features of this file have, parted by commas; the first twenty.
+  [[nodiscard]] std::string fields() const;
+
   // Throws InputError where features of this file have no such field.
   void require_field(std::string_view name) const;
 
