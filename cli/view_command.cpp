@@ -97,15 +97,10 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
 
 }  // namespace
 
-int run_view(const std::vector<std::string>& args) {
-  ViewOptions options = parse_view(args, "terrview view");
-  ViewFiles files(options);
-  WorkSeconds seconds;
+void make_picture(const ViewOptions& options, const std::vector<Dem>& dems, SharedInputs& inputs,
+                  ViewFiles& files, WorkSeconds seconds) {
   Stopwatch stopwatch;
-
-  const std::vector<Dem> dems = read(options);
-  seconds.read = stopwatch.lap();
-  const View view = make_view(options, dems);
+  const View view = make_view(options, dems, inputs);
   seconds.build = stopwatch.lap();
   if (!options.quiet) say_what_is_seen(dems, view);
   const Frame frame = render(options, view, files);
@@ -118,6 +113,15 @@ int run_view(const std::vector<std::string>& args) {
     files.stats->fill([&](const std::string& path) { write_file(path, stats.dump(2) + "\n"); });
   }
   files.commit();
+}
+
+int run_view(const std::vector<std::string>& args) {
+  ViewOptions options = parse_view(args, "terrview view");
+  ViewFiles files(options);
+  SharedInputs inputs;
+  Stopwatch stopwatch;
+  const std::vector<Dem> dems = read(options);
+  make_picture(options, dems, inputs, files, {.read = stopwatch.lap()});
   if (!options.quiet) std::fprintf(stderr, "wrote %s\n", files.image->path().c_str());
   return 0;
 }

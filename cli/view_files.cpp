@@ -25,7 +25,13 @@ IndexedFileOptions indexed_options(const ViewOptions& options) {
 
 }  // namespace
 
-ViewFiles::ViewFiles(const ViewOptions& options) {
+ViewFiles::ViewFiles(const ViewOptions& options) { claim_all(options); }
+
+ViewFiles::ViewFiles(const ViewOptions& options, NamesOnly /*names_only*/) : names_only_(true) {
+  claim_all(options);
+}
+
+void ViewFiles::claim_all(const ViewOptions& options) {
   const std::string picture = options.output.empty() ? default_name(options) : options.output;
   if (wants_palette(options.palette)) check_indexed_file(picture, indexed_options(options));
   for (const std::string& path : {picture, options.progressive}) {
@@ -61,7 +67,8 @@ std::unique_ptr<OutputFile> ViewFiles::claim(const std::string& path, const View
     if (std::filesystem::equivalent(path, input, not_both_exist))
       throw InputError("'" + path + "': is read by this view: write to another file");
   }
-  return std::make_unique<OutputFile>(path, options.overwrite);
+  paths_.push_back(path);
+  return names_only_ ? nullptr : std::make_unique<OutputFile>(path, options.overwrite);
 }
 
 }  // namespace terrview

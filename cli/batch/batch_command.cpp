@@ -1,0 +1,171 @@
+#include "cli/batch/batch_command.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include "cli/batch/batch_options.h"
+#include "cli/batch/batch_run.h"
+#include "cli/batch/job_plan.h"
+#include "cli/batch/merge.h"
+#include "cli/batch/output_template.h"
+#include "cli/interrupt.h"
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "cli/view_messages.h"
+#include "ingest/memory_limit.h"
+#include "ingest/shared_tables.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSomeFailed = 3;
+
+// A name beside the outputs: in the folder that the template names before its first hole.
+std::string name_beside(const BatchOptions& options, const std::string& name) {
+  const std::string beginning = OutputTemplate("-o", options.view.output).beginning();
+  return beginning.substr(0, beginning.rfind('/') + 1) + name;
+}
+
+std::string manifest_path(const BatchOptions& options, const Shard& shard) {
+  const fs::path table(options.table);
+  if (options.manifest.empty())
+    return name_beside(options, table.stem().string() + shard_suffix(shard) + ".jsonl");
+  fs::path path(options.manifest);
+  path.replace_filename(path.stem().string() + shard_suffix(shard) + path.extension().string());
+  return path.string();
+}
+
+ManifestFile::Existing existing(const BatchOptions& options) {
+  if (options.resume) return ManifestFile::Existing::go_on;
+  return options.view.overwrite ? ManifestFile::Existing::replace : ManifestFile::Existing::refuse;
+}
+
+ManifestFile open_manifest(const BatchOptions& options, const Shard& shard) {
+  const fs::path path = manifest_path(options, shard);
+  std::error_code told_when_it_is_opened;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), told_when_it_is_opened);
+  return {path.string(), existing(options)};
+}
+
+void check_outputs_are_new(const std::vector<Job>& jobs, const Shard& shard) {
+  std::error_code ignored;
+  for (const Job& job : jobs) {
+    if (!shard.has(job.index)) continue;
+    for (const std::string& path : job.outputs)
+      if (fs::exists(path, ignored))
+        throw InputError("'" + path +
+                         "': exists already: give --overwrite to replace it, or --resume to go on");
+  }
+}
+
+void check_manifest_is_no_output(const std::vector<Job>& jobs, const std::string& manifest) {
+  const fs::path place = fs::absolute(manifest).lexically_normal();
+  for (const Job& job : jobs)
+    for (const std::string& path : job.outputs)
+      if (fs::absolute(path).lexically_normal() == place)
+        throw InputError("'" + manifest + "': is written by " + job.label() +
+                         ": name another --manifest");
+}
+
+ManifestHeader header_of(const std::vector<Job>& jobs, const Shard& shard) {
+  std::string all;
+  for (const Job& job : jobs) all += job.fingerprint + "\n";
+  return {static_cast<int>(jobs.size()), shard, hash_of(all)};
+}
+
+BatchGround read_ground(const BatchOptions& options, bool shows_bar) {
+  BatchGround ground;
+  DemOptions how = options.view.dem;
+  ProgressBar bar("reading", shows_bar);
+  how.progress = [&](double share) {
+    check_interrupt();
+    bar.report(share);
+  };
+  try {
+    ground.dems = read_dems(options.dems, how);
+    make_shared_tables(ground.dems, options.view.threads);
+  } catch (const InputError& error) {
+    ground.error = error.what();
+  }
+  return ground;
+}
+
+// One line for each reason.
+void say_what_failed(const std::vector<FailedJob>& failed) {
+  std::map<std::string, int> others;
+  for (const FailedJob& one : failed) ++others[one.error];
+  for (const FailedJob& one : failed) {
+    const auto count = others.find(one.error);
+    if (count == others.end()) continue;
+    const std::string alike =
+        count->second > 1 ? " (and " + std::to_string(count->second - 1) + " more)" : "";
+    std::fprintf(stderr, "terrview: %s%s: %s\n", one.job->label().c_str(), alike.c_str(),
+                 one.error.c_str());
+    others.erase(count);
+  }
+}
+
+int report(const BatchOptions& options, const JobPlan& plan, const BatchOutcome& outcome,
+           ManifestFile& manifest) {
+  say_what_failed(outcome.failed);
+  if (!manifest.complete())
+    throw std::runtime_error("'" + manifest.path() +
+                             "': writing failed: make room, and go on with --resume");
+  if (!options.view.quiet)
+    std::fprintf(stderr, "%d of %zu views written, %zu failed, %d were up to date: %s\n",
+                 outcome.done, plan.to_do.size(), outcome.failed.size(), plan.up_to_date,
+                 manifest.path().c_str());
+  if (outcome.interrupted) {
+    std::fprintf(stderr, "terrview: interrupted: --resume does the other views\n");
+    return 130;
+  }
+  return outcome.failed.empty() ? 0 : kSomeFailed;
+}
+
+std::vector<Job> jobs_of(const BatchOptions& options) {
+  return make_jobs(read_job_table(options.table),
+                   {options.dems, options.values, options.ignore_columns});
+}
+
+int run_table(const BatchOptions& options) {
+  const bool shows_bar = !options.view.quiet && (options.view.progress || stderr_is_terminal());
+  const Shard shard = find_shard(options.shard, std::getenv);
+  std::vector<Job> jobs = jobs_of(options);
+  check_manifest_is_no_output(jobs, manifest_path(options, shard));
+  const bool replaces = options.resume || options.view.overwrite;
+  if (!replaces) check_outputs_are_new(jobs, shard);
+  for (Job& job : jobs) job.options.overwrite = replaces;
+
+  ManifestFile manifest = open_manifest(options, shard);
+  InputStamps stamps;
+  const JobPlan plan = plan_jobs(jobs, shard, manifest.before(), stamps);
+  remove_leftovers(outputs_of(plan));
+  manifest.reserve(plan.to_do.size() + plan.renumbered.size() + 1);
+  manifest.append(header_of(jobs, shard).line());
+  for (const JobRecord& record : plan.renumbered) manifest.append(record.line());
+
+  BatchOutcome outcome;
+  if (!plan.to_do.empty()) {
+    const BatchGround ground = read_ground(options, shows_bar);
+    if (!options.view.quiet) say_what_was_read(ground.dems);
+    outcome = run_jobs(
+        plan.to_do, ground, stamps, manifest,
+        {options.view.threads, memory_limit_bytes(options.view.dem.memory_bytes), shows_bar});
+  }
+  return report(options, plan, outcome, manifest);
+}
+
+}  // namespace
+
+int run_batch(const std::vector<std::string>& args) {
+  const BatchOptions options = parse_batch(args);
+  if (!options.merge.empty()) return merge_manifests(options.merge, options.view);
+  return run_table(options);
+}
+
+}  // namespace terrview

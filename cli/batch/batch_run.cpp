@@ -1,0 +1,141 @@
+#include "cli/batch/batch_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include "cli/batch/job_plan.h"
+#include "cli/camera_json.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/view_command.h"
+#include "render/parallel.h"
+#include "render/stopwatch.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+int thread_count(int threads) {
+  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+double shared_bytes(const std::vector<Dem>& dems) {
+  constexpr double kWithTables = 4 * (1 + 2.0 / 3);  // heights, ceilings and means
+  double bytes = 0;
+  for (const Dem& dem : dems) bytes += kWithTables * dem.grid->columns * dem.grid->rows;
+  return bytes;
+}
+
+class Run {
+ public:
+  Run(const std::vector<const Job*>& jobs, const BatchGround& ground, InputStamps& stamps,
+      ManifestFile& manifest, const BatchRunOptions& options)
+      : jobs_(jobs),
+        ground_(ground),
+        manifest_(manifest),
+        bar_("views", options.shows_bar),
+        threads_(thread_count(options.threads)),
+        in_flight_(
+            views_in_flight(jobs, threads_, options.memory_bytes - shared_bytes(ground.dems))) {
+    for (const Job* job : jobs) job_inputs_.push_back(inputs_now(*job, stamps));
+  }
+
+  BatchOutcome work() {
+    run_workers(in_flight_, [this] {
+      for (std::size_t i = next_++; i < jobs_.size() && !interrupted_; i = next_++) one(i);
+    });
+    outcome_.interrupted = interrupted_;
+    std::sort(outcome_.failed.begin(), outcome_.failed.end(),
+              [](const FailedJob& a, const FailedJob& b) { return a.job->index < b.job->index; });
+    return std::move(outcome_);
+  }
+
+ private:
+  void one(std::size_t i) {
+    const Job& job = *jobs_[i];
+    JobRecord record{job.index, job.name, job.fingerprint, job_inputs_[i], {}, 0, ""};
+    Stopwatch stopwatch;
+    try {
+      check_interrupt();
+      make(job, record);
+    } catch (const Interrupted&) {
+      interrupted_ = true;
+      return;
+    } catch (const std::bad_alloc&) {
+      record.error = "out of memory: use a --window of the DEM or a smaller --size";
+    } catch (const std::exception& error) {
+      record.error = error.what();
+    }
+    record.seconds = stopwatch.lap();
+    manifest_.append(record.line());
+    count(job, record.error);
+  }
+
+  void make(const Job& job, JobRecord& record) {
+    if (!job.error.empty()) throw InputError(job.error);
+    if (!ground_.error.empty()) throw InputError(ground_.error);
+    ViewOptions options = job.options;
+    options.quiet = true;
+    options.threads = std::max(1, threads_ / in_flight_);
+    for (const std::filesystem::path path : job.outputs)
+      if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+    ViewFiles files(options);
+    make_picture(options, ground_.dems, inputs_, files, {});
+    for (const std::string& path : job.outputs) {
+      const auto stamp = stamp_file(path);
+      if (!stamp) throw std::runtime_error("'" + path + "': is gone");
+      record.outputs.push_back(*stamp);
+    }
+  }
+
+  void count(const Job& job, const std::string& error) {
+    const std::lock_guard lock(mutex_);
+    if (error.empty())
+      ++outcome_.done;
+    else
+      outcome_.failed.push_back({&job, error});
+    const auto finished = static_cast<double>(outcome_.failed.size()) + outcome_.done;
+    bar_.report(finished / static_cast<double>(jobs_.size()));
+  }
+
+  const std::vector<const Job*>& jobs_;
+  const BatchGround& ground_;
+  ManifestFile& manifest_;
+  std::vector<std::vector<FileStamp>> job_inputs_;
+  SharedInputs inputs_;
+  ProgressBar bar_;
+  int threads_;
+  int in_flight_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> interrupted_ = false;
+  std::mutex mutex_;
+  BatchOutcome outcome_;
+};
+
+}  // namespace
+
+double view_bytes(const ViewOptions& options) {
+  constexpr double kPixel_bytes = 400;
+  constexpr double kView_bytes = 16 << 20;
+  const glm::dvec2 size(options.size_px.value_or(ResolvedView{}.size_px));
+  return kView_bytes + kPixel_bytes * size.x * size.y;
+}
+
+int views_in_flight(const std::vector<const Job*>& jobs, int threads, double free_bytes) {
+  double largest = 1;
+  for (const Job* job : jobs) largest = std::max(largest, view_bytes(job->options));
+  const double fitting = std::clamp(free_bytes / largest, 1.0, static_cast<double>(threads));
+  return std::max(1, std::min(static_cast<int>(fitting), static_cast<int>(jobs.size())));
+}
+
+BatchOutcome run_jobs(const std::vector<const Job*>& jobs, const BatchGround& ground,
+                      InputStamps& stamps, ManifestFile& manifest, const BatchRunOptions& options) {
+  return Run(jobs, ground, stamps, manifest, options).work();
+}
+
+}  // namespace terrview
