@@ -115,6 +115,11 @@ void make_picture(const ViewOptions& options, const std::vector<Dem>& dems, Shar
   files.commit();
 }
 
+Image make_image(const ViewOptions& options, const std::vector<Dem>& dems, SharedInputs& inputs) {
+  const View view = make_view(options, dems, inputs);
+  return render(options, view, ViewFiles(options, ViewFiles::NamesOnly{})).image;
+}
+
 int run_view(const std::vector<std::string>& args) {
   ViewOptions options = parse_view(args, "terrview view");
   ViewFiles files(options);

@@ -8,6 +8,7 @@
 #include "cli/view_options.h"
 #include "cli/view_outputs.h"
 #include "ingest/dem.h"
+#include "render/image.h"
 
 namespace terrview {
 
@@ -18,5 +19,9 @@ int run_view(const std::vector<std::string>& args);
 // place. `seconds` say what the reading took. Throws InputError, std::runtime_error, Interrupted.
 void make_picture(const ViewOptions& options, const std::vector<Dem>& dems, SharedInputs& inputs,
                   ViewFiles& files, WorkSeconds seconds);
+
+// The same without any file.
+[[nodiscard]] Image make_image(const ViewOptions& options, const std::vector<Dem>& dems,
+                               SharedInputs& inputs);
 
 }  // namespace terrview

@@ -4,12 +4,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "cli/batch/batch_options.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/job_plan.h"
 #include "cli/batch/merge.h"
 #include "cli/batch/output_template.h"
+#include "cli/batch/shared_palette.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
@@ -32,7 +34,7 @@ std::string name_beside(const BatchOptions& options, const std::string& name) {
 }
 
 std::string manifest_path(const BatchOptions& options, const Shard& shard) {
-  const fs::path table(options.table);
+  const fs::path table(options.source());
   if (options.manifest.empty())
     return name_beside(options, table.stem().string() + shard_suffix(shard) + ".jsonl");
   fs::path path(options.manifest);
@@ -78,6 +80,17 @@ ManifestHeader header_of(const std::vector<Job>& jobs, const Shard& shard) {
   return {static_cast<int>(jobs.size()), shard, hash_of(all)};
 }
 
+std::vector<Job> jobs_of(const BatchOptions& options) {
+  const JobTable table = options.path.empty() ? read_job_table(options.table)
+                                              : read_camera_path(options.path, options.moving);
+  return make_jobs(table, {options.dems, options.values, options.ignore_columns});
+}
+
+std::string palette_path(const BatchOptions& options, const std::string& suffix = "") {
+  return name_beside(options,
+                     fs::path(options.source()).stem().string() + suffix + ".palette.json");
+}
+
 BatchGround read_ground(const BatchOptions& options, bool shows_bar) {
   BatchGround ground;
   DemOptions how = options.view.dem;
@@ -95,6 +108,23 @@ BatchGround read_ground(const BatchOptions& options, bool shows_bar) {
   return ground;
 }
 
+// Read when it is first needed.
+class LazyGround {
+ public:
+  LazyGround(const BatchOptions& options, bool shows_bar)
+      : options_(options), shows_bar_(shows_bar) {}
+
+  const BatchGround& get() {
+    if (!ground_) ground_ = read_ground(options_, shows_bar_);
+    return *ground_;
+  }
+
+ private:
+  const BatchOptions& options_;
+  bool shows_bar_;
+  std::optional<BatchGround> ground_;
+};
+
 // One line for each reason.
 void say_what_failed(const std::vector<FailedJob>& failed) {
   std::map<std::string, int> others;
@@ -108,6 +138,22 @@ void say_what_failed(const std::vector<FailedJob>& failed) {
                  one.error.c_str());
     others.erase(count);
   }
+}
+
+// A word of a shell's command line.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+void say_how_to_film(const BatchOptions& options) {
+  const std::string pattern = OutputTemplate("-o", options.view.output).numbered_pattern();
+  if (pattern.empty()) return;
+  std::fprintf(stderr,
+               "ffmpeg -framerate %g -start_number 1 -i %s -c:v libx264 -pix_fmt yuv420p %s\n",
+               options.moving.frames_per_s, quoted(pattern).c_str(),
+               quoted(fs::path(options.path).stem().string() + ".mp4").c_str());
 }
 
 int report(const BatchOptions& options, const JobPlan& plan, const BatchOutcome& outcome,
@@ -127,14 +173,29 @@ int report(const BatchOptions& options, const JobPlan& plan, const BatchOutcome&
   return outcome.failed.empty() ? 0 : kSomeFailed;
 }
 
-std::vector<Job> jobs_of(const BatchOptions& options) {
-  return make_jobs(read_job_table(options.table),
-                   {options.dems, options.values, options.ignore_columns});
+// Makes it unless a batch that goes on has one, and lets every view use it.
+void share_palette(BatchOptions& options, const Shard& shard, LazyGround& lazy) {
+  const std::string path = palette_path(options);
+  if (!options.resume || !fs::exists(path)) {
+    const std::vector<Job> jobs = jobs_of(options);
+    const BatchGround& ground = lazy.get();
+    if (!ground.error.empty()) throw InputError(ground.error);
+    const Palette palette =
+        make_shared_palette(palette_jobs(jobs), ground.dems, options.view.threads);
+    if (const fs::path folder = fs::path(path).parent_path(); !folder.empty())
+      fs::create_directories(folder);
+    save_shared_palette(palette, path, palette_path(options, shard_suffix(shard) + "-own"),
+                        options.resume || options.view.overwrite);
+  }
+  options.values.erase("palette");
+  options.values["use-palette"] = {path};
 }
 
-int run_table(const BatchOptions& options) {
+int run_table(BatchOptions options) {
   const bool shows_bar = !options.view.quiet && (options.view.progress || stderr_is_terminal());
   const Shard shard = find_shard(options.shard, std::getenv);
+  LazyGround lazy(options, shows_bar);
+  if (options.shared_palette) share_palette(options, shard, lazy);
   std::vector<Job> jobs = jobs_of(options);
   check_manifest_is_no_output(jobs, manifest_path(options, shard));
   const bool replaces = options.resume || options.view.overwrite;
@@ -151,13 +212,15 @@ int run_table(const BatchOptions& options) {
 
   BatchOutcome outcome;
   if (!plan.to_do.empty()) {
-    const BatchGround ground = read_ground(options, shows_bar);
+    const BatchGround& ground = lazy.get();
     if (!options.view.quiet) say_what_was_read(ground.dems);
     outcome = run_jobs(
         plan.to_do, ground, stamps, manifest,
         {options.view.threads, memory_limit_bytes(options.view.dem.memory_bytes), shows_bar});
   }
-  return report(options, plan, outcome, manifest);
+  const int exit_code = report(options, plan, outcome, manifest);
+  if (!options.path.empty() && !options.view.quiet) say_how_to_film(options);
+  return exit_code;
 }
 
 }  // namespace

@@ -24,8 +24,7 @@ std::string name_of(const CLI::Option& option) {
 bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
 bool takes_many(const CLI::Option& option) {
-  return option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll &&
-         option.get_items_expected_max() > 1;
+  return option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
 }
 
 // Levenshtein's.

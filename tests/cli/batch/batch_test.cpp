@@ -235,6 +235,33 @@ TEST_F(Batch, ThatCannotBeIsRefusedBeforeAnythingIsWritten) {
   refused("--merge a.jsonl", {"-o"});
 }
 
+TEST_F(Batch, SharesOnePaletteWhateverItsShards) {
+  write_table(5);
+  const std::string options = "--palette 16 --shared-palette ";
+  EXPECT_EQ(run(line(options, "whole")).exit_code, 0);
+  EXPECT_EQ(run(line(options + "--shard 0/2", "parts")).exit_code, 0);
+  EXPECT_EQ(run(line(options + "--shard 1/2", "parts")).exit_code, 0);
+  EXPECT_TRUE(pictures("whole") == pictures("parts"));
+  EXPECT_EQ(json("whole/jobs.palette.json").at("colors").size(), 16U);
+  fs::remove(path("whole/v2.png"));
+  EXPECT_EQ(run(line(options + "--resume", "whole")).exit_code, 0);
+  EXPECT_TRUE(pictures("whole") == pictures("parts"));
+  int lines = 0;
+  static_cast<void>(records("whole/jobs.jsonl", &lines));
+  EXPECT_EQ(lines, 6);
+}
+
+TEST_F(Batch, OfAPathMakesFramesAndSaysHowToFilm) {
+  write_text(path("fly.csv"), "time,eye\n0,\"48,7,+20\"\n1,\"48.001,7,+40\"\n");
+  const Finished finished = run(words(
+      "batch --path fly.csv --fps 2 --dem hills.tif --heading 9 --size 16x12 -o o/{index:03}.png"));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_TRUE(
+      says(finished.err, {"ffmpeg -framerate 2 -start_number 1 -i 'o/%03d.png'", "fly.mp4"}));
+  EXPECT_EQ(pictures("o").size(), 3U);
+  EXPECT_EQ(records("o/fly.jsonl").size(), 3U);
+}
+
 class BatchLong : public Batch {};
 
 TEST_F(BatchLong, OfAThousandViewsSurvivesTenKills) {
