@@ -33,12 +33,9 @@ constexpr const char* kUsage =
 using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
-  static const std::map<std::string, Command> kCommands{{"batch", run_batch},
-                                                        {"info", run_info},
-                                                        {"quantize", run_quantize},
-                                                        {"sky", run_sky},
-                                                        {"synth", run_synth},
-                                                        {"view", run_view}};
+  static const std::map<std::string, Command> kCommands{
+      {"batch", run_batch}, {"info", run_info},   {"quantize", run_quantize},
+      {"sky", run_sky},     {"synth", run_synth}, {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

@@ -90,10 +90,10 @@ start_slurm() {
 tasks_on() {
   local process
   for process in /proc/[0-9]*; do
-    tr '\0' '\n' <"$process/environ" 2>/dev/null | grep -qx "SLURM_CONF=$SLURM_CONF" || continue
-    tr '\0' '\n' <"$process/environ" 2>/dev/null | grep -qx "SLURMD_NODENAME=$1" || continue
+    tr '\0' '\n' <"$process/environ" | grep -qx "SLURM_CONF=$SLURM_CONF" || continue
+    tr '\0' '\n' <"$process/environ" | grep -qx "SLURMD_NODENAME=$1" || continue
     basename "$process"
-  done
+  done 2>/dev/null
 }
 
 # A node without power: its daemon and all that it has started are gone at once.
@@ -102,6 +102,7 @@ kill_node_two() {
   tasks=$(tasks_on two)
   for task in $tasks; do steps+=("$(ps -o ppid= -p "$task" | tr -d ' ')"); done
   kill -KILL "$node_two"
+  wait "$node_two" 2>/dev/null || true
   for task in "${steps[@]}" $tasks; do
     [[ $task == 1 || $task == $$ ]] || kill -KILL "$task" 2>/dev/null || true
   done

@@ -93,19 +93,19 @@ TEST(CameraPath, ThatCannotBeIsRefused) {
 
 class GpxPath : public testing::Test {
  protected:
-  // A hundredth of a degree of latitude, 1111.9 m, to the north; then as far to the east.
+  // A hundredth of a degree to the north in 24 minutes, then to the east in 16, from the equator.
   void write_track(bool timed) const {
     std::string text =
         "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\" "
         "xmlns=\"http://www.topografix.com/GPX/1/1\"><trk><trkseg>";
-    const char* const places[] = {"lat=\"0\" lon=\"7\"", "lat=\"0.01\" lon=\"7\"",
-                                  "lat=\"0.01\" lon=\"7\"", "lat=\"0.01\" lon=\"7.01\""};
-    const char* const times[] = {"10:00:00Z", "10:30:00Z", "10:30:00Z", "10:40:00Z"};
-    for (int i = 0; i < 4; ++i) {
-      text += std::string("<trkpt ") + places[i] + "><ele>500</ele>";
-      if (timed) text += std::string("<time>2026-06-21T") + times[i] + "</time>";
+    const auto add = [&](double latitude, double longitude, int minute) {
+      text += "<trkpt lat=\"" + std::to_string(latitude) + "\" lon=\"" + std::to_string(longitude) +
+              "\"><ele>500</ele>";
+      if (timed) text += "<time>2026-06-21T10:" + std::to_string(minute) + ":00Z</time>";
       text += "</trkpt>";
-    }
+    };
+    for (int i = 0; i <= 4; ++i) add(0.0025 * i, 7, 10 + 6 * i);
+    for (int i = 0; i <= 4; ++i) add(0.01, 7 + 0.0025 * i, 34 + 4 * i);
     write_text(folder_ / "t.gpx", text + "</trkseg></trk></gpx>\n");
   }
 
@@ -124,8 +124,8 @@ TEST_F(GpxPath, TakesItsTimes) {
   write_track(true);
   const JobTable table = read({.frames_per_s = 1, .duration_s = 40.0, .lift_m = 5});
   ASSERT_EQ(table.rows.size(), 41U);
-  EXPECT_NEAR(place(table.rows[30]).latitude_deg, 0.01, 1e-12);
-  EXPECT_NEAR(place(table.rows[30]).longitude_deg, 7, 1e-12);
+  EXPECT_NEAR(place(table.rows[24]).latitude_deg, 0.01, 1e-12);
+  EXPECT_NEAR(place(table.rows[24]).longitude_deg, 7, 1e-12);
   EXPECT_NEAR(place(table.rows[40]).longitude_deg, 7.01, 1e-12);
   EXPECT_TRUE(table.rows[7].text("eye").ends_with(",+5"));
 }
@@ -135,7 +135,7 @@ TEST_F(GpxPath, GoesAtASpeedAndLooksAhead) {
   const JobTable table = read({.frames_per_s = 1, .speed_m_per_s = 50.0});
   // 1105.7 m along the meridian at the equator and 1113.2 m along the parallel.
   ASSERT_EQ(table.rows.size(), 45U);
-  EXPECT_NEAR(place(table.rows[22]).latitude_deg, 0.00995, 1e-4);
+  EXPECT_NEAR(place(table.rows[11]).latitude_deg, 0.01 * 550 / 1105.7, 1e-5);
   EXPECT_NEAR(parse_number("", table.rows[0].text("heading")), 0, 5);
   EXPECT_NEAR(parse_number("", table.rows[40].text("heading")), 90, 10);
   EXPECT_EQ(read({.frames_per_s = 1, .aims = false}).rows[0].cells.count("heading"), 0U);
