@@ -24,11 +24,10 @@ int thread_count(int threads) {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-double shared_bytes(const std::vector<Dem>& dems) {
-  constexpr double kWithTables = 4 * (1 + 2.0 / 3);  // heights, ceilings and means
-  double bytes = 0;
-  for (const Dem& dem : dems) bytes += kWithTables * dem.grid->columns * dem.grid->rows;
-  return bytes;
+double posts_of(const std::vector<Dem>& dems) {
+  double posts = 0;
+  for (const Dem& dem : dems) posts += static_cast<double>(dem.grid->columns) * dem.grid->rows;
+  return posts;
 }
 
 class Run {
@@ -40,8 +39,7 @@ class Run {
         manifest_(manifest),
         bar_("views", options.shows_bar),
         threads_(thread_count(options.threads)),
-        in_flight_(
-            views_in_flight(jobs, threads_, options.memory_bytes - shared_bytes(ground.dems))) {
+        in_flight_(views_in_flight(jobs, ground.dems, threads_, options.memory_bytes)) {
     for (const Job* job : jobs) job_inputs_.push_back(inputs_now(*job, stamps));
   }
 
@@ -119,16 +117,25 @@ class Run {
 
 }  // namespace
 
-double view_bytes(const ViewOptions& options) {
-  constexpr double kPixel_bytes = 400;
-  constexpr double kView_bytes = 16 << 20;
-  const glm::dvec2 size(options.size_px.value_or(ResolvedView{}.size_px));
-  return kView_bytes + kPixel_bytes * size.x * size.y;
+double view_bytes(const Job& job, double posts) {
+  constexpr double kPicture_bytes = 100;  // a pixel
+  constexpr double kLayers_bytes = 280;
+  constexpr double kSkyView_bytes = 32;  // a post
+  constexpr double kView_bytes = 8 << 20;
+  const glm::dvec2 size(job.options.size_px.value_or(ResolvedView{}.size_px));
+  const double sky_view = job.options.light.sky_azimuths > 0 ? kSkyView_bytes * posts : 0;
+  return kView_bytes + sky_view +
+         (job.outputs.size() > 1 ? kLayers_bytes : kPicture_bytes) * size.x * size.y;
 }
 
-int views_in_flight(const std::vector<const Job*>& jobs, int threads, double free_bytes) {
+int views_in_flight(const std::vector<const Job*>& jobs, const std::vector<Dem>& dems, int threads,
+                    double memory_bytes) {
+  constexpr double kProgram_bytes = 160 << 20;
+  constexpr double kHeights_bytes = 4 * (1 + 2.0 / 3);  // a post, with ceilings and means
+  const double posts = posts_of(dems);
   double largest = 1;
-  for (const Job* job : jobs) largest = std::max(largest, view_bytes(job->options));
+  for (const Job* job : jobs) largest = std::max(largest, view_bytes(*job, posts));
+  const double free_bytes = memory_bytes - kProgram_bytes - kHeights_bytes * posts;
   const double fitting = std::clamp(free_bytes / largest, 1.0, static_cast<double>(threads));
   return std::max(1, std::min(static_cast<int>(fitting), static_cast<int>(jobs.size())));
 }

@@ -17,13 +17,13 @@ struct BatchRunOptions {
   bool shows_bar = false;
 };
 
-// How many views to have in flight: a thread each, unless there are fewer views, or the pictures of
-// more would need more memory than is left beside the DEMs. At least one.
-[[nodiscard]] int views_in_flight(const std::vector<const Job*>& jobs, int threads,
-                                  double free_bytes);
+// What making a view over ground of so many posts takes beside what views share, as measured.
+[[nodiscard]] double view_bytes(const Job& job, double posts);
 
-// What the pictures of a view take while it is made, about; at least what they do.
-[[nodiscard]] double view_bytes(const ViewOptions& options);
+// How many views to have in flight: a thread each, unless there are fewer views, or more would need
+// more memory than there is. At least one.
+[[nodiscard]] int views_in_flight(const std::vector<const Job*>& jobs, const std::vector<Dem>& dems,
+                                  int threads, double memory_bytes);
 
 struct FailedJob {
   const Job* job;
