@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <optional>
 
 #include "cli/batch/batch_options.h"
+#include "cli/batch/batch_report.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/job_plan.h"
 #include "cli/batch/merge.h"
@@ -24,8 +24,6 @@ namespace terrview {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kSomeFailed = 3;
 
 // A name beside the outputs: in the folder that the template names before its first hole.
 std::string name_beside(const BatchOptions& options, const std::string& name) {
@@ -125,54 +123,6 @@ class LazyGround {
   std::optional<BatchGround> ground_;
 };
 
-// One line for each reason.
-void say_what_failed(const std::vector<FailedJob>& failed) {
-  std::map<std::string, int> others;
-  for (const FailedJob& one : failed) ++others[one.error];
-  for (const FailedJob& one : failed) {
-    const auto count = others.find(one.error);
-    if (count == others.end()) continue;
-    const std::string alike =
-        count->second > 1 ? " (and " + std::to_string(count->second - 1) + " more)" : "";
-    std::fprintf(stderr, "terrview: %s%s: %s\n", one.job->label().c_str(), alike.c_str(),
-                 one.error.c_str());
-    others.erase(count);
-  }
-}
-
-// A word of a shell's command line.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
-void say_how_to_film(const BatchOptions& options) {
-  const std::string pattern = OutputTemplate("-o", options.view.output).numbered_pattern();
-  if (pattern.empty()) return;
-  std::fprintf(stderr,
-               "ffmpeg -framerate %g -start_number 1 -i %s -c:v libx264 -pix_fmt yuv420p %s\n",
-               options.moving.frames_per_s, quoted(pattern).c_str(),
-               quoted(fs::path(options.path).stem().string() + ".mp4").c_str());
-}
-
-int report(const BatchOptions& options, const JobPlan& plan, const BatchOutcome& outcome,
-           ManifestFile& manifest) {
-  say_what_failed(outcome.failed);
-  if (!manifest.complete())
-    throw std::runtime_error("'" + manifest.path() +
-                             "': writing failed: make room, and go on with --resume");
-  if (!options.view.quiet)
-    std::fprintf(stderr, "%d of %zu views written, %zu failed, %d were up to date: %s\n",
-                 outcome.done, plan.to_do.size(), outcome.failed.size(), plan.up_to_date,
-                 manifest.path().c_str());
-  if (outcome.interrupted) {
-    std::fprintf(stderr, "terrview: interrupted: --resume does the other views\n");
-    return 130;
-  }
-  return outcome.failed.empty() ? 0 : kSomeFailed;
-}
-
 // Makes it unless a batch that goes on has one, and lets every view use it.
 void share_palette(BatchOptions& options, const Shard& shard, LazyGround& lazy) {
   const std::string path = palette_path(options);
@@ -208,6 +158,8 @@ int run_table(BatchOptions options) {
   remove_leftovers(outputs_of(plan));
   manifest.reserve(plan.to_do.size() + plan.renumbered.size() + 1);
   manifest.append(header_of(jobs, shard).line());
+  if (shard.count > 1 && !options.view.quiet)
+    std::fprintf(stderr, "shard %d/%d\n", shard.number, shard.count);
   for (const JobRecord& record : plan.renumbered) manifest.append(record.line());
 
   BatchOutcome outcome;
@@ -218,9 +170,7 @@ int run_table(BatchOptions options) {
         plan.to_do, ground, stamps, manifest,
         {options.view.threads, memory_limit_bytes(options.view.dem.memory_bytes), shows_bar});
   }
-  const int exit_code = report(options, plan, outcome, manifest);
-  if (!options.path.empty() && !options.view.quiet) say_how_to_film(options);
-  return exit_code;
+  return report_batch(options, plan, outcome, manifest);
 }
 
 }  // namespace

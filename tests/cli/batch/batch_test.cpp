@@ -89,6 +89,27 @@ TEST_F(Batch, MakesThePicturesThatTheViewsMakeAlone) {
   EXPECT_TRUE(said.at(2).at("error").is_null());
 }
 
+TEST_F(Batch, SharesBuildingsAndDrapeWithoutAChange) {
+  write_table(4);
+  write_text(path("house.geojson"),
+             R"({"type": "FeatureCollection", "features": [{"type": "Feature",
+             "properties": {"height": 80}, "geometry": {"type": "Polygon", "coordinates":
+             [[[6.999, 48], [7.003, 48], [7.003, 48.004], [6.999, 48.004], [6.999, 48]]]}}]})");
+  TestRaster picture;
+  picture.columns = 20;
+  picture.rows = 20;
+  picture.number = [](int column, int row) { return (column * 13 + row * 7) % 256; };
+  picture.geotransform = {{6.98, 0.002, 0, 48.02, 0, -0.002}};
+  picture.crs = "EPSG:4326";
+  picture.type = GDT_Byte;
+  picture.write(path("drape.tif"));
+  const std::string options = "--buildings house.geojson --drape drape.tif ";
+  EXPECT_EQ(run(line(options + "--threads 4")).exit_code, 0);
+  view(options + "--eye 47.9903,6.995,+23 --heading 111 --size 40x30 -o a.png");
+  EXPECT_TRUE(pictures("o").at("v3.png") == bytes("a.png"));
+  EXPECT_EQ(records("o/jobs.jsonl").at(1).at("inputs").size(), 3U);
+}
+
 TEST_F(Batch, IsTheSameForAnyNumberOfThreadsAndShards) {
   write_table(5);
   EXPECT_EQ(run(line("--threads 1", "one")).exit_code, 0);
