@@ -9,8 +9,8 @@ void make_shared_tables(std::vector<Dem>& dems, int threads) {
     parallel_for(count, threads, work);
   };
   for (Dem& dem : dems) {
-    dem.ceilings = std::make_shared<const HeightCeilings>(*dem.grid, for_each);
-    dem.means = std::make_shared<const MeanHeights>(*dem.grid);
+    if (!dem.ceilings) dem.ceilings = std::make_shared<const HeightCeilings>(*dem.grid, for_each);
+    if (!dem.means) dem.means = std::make_shared<const MeanHeights>(*dem.grid);
   }
 }
 

@@ -135,7 +135,11 @@ int views_in_flight(const std::vector<const Job*>& jobs, const std::vector<Dem>&
   const double posts = posts_of(dems);
   double largest = 1;
   for (const Job* job : jobs) largest = std::max(largest, view_bytes(*job, posts));
-  const double free_bytes = memory_bytes - kProgram_bytes - kHeights_bytes * posts;
+  const bool flooded = std::any_of(jobs.begin(), jobs.end(), [](const Job* job) {
+    return !job->options.water.file.empty();  // lakes take a copy
+  });
+  const double free_bytes =
+      memory_bytes - kProgram_bytes - kHeights_bytes * posts * (flooded ? 2 : 1);
   const double fitting = std::clamp(free_bytes / largest, 1.0, static_cast<double>(threads));
   return std::max(1, std::min(static_cast<int>(fitting), static_cast<int>(jobs.size())));
 }

@@ -89,7 +89,7 @@ TEST_F(Batch, MakesThePicturesThatTheViewsMakeAlone) {
   EXPECT_TRUE(said.at(2).at("error").is_null());
 }
 
-TEST_F(Batch, SharesBuildingsAndDrapeWithoutAChange) {
+TEST_F(Batch, SharesBuildingsDrapeAndLakesWithoutAChange) {
   write_table(4);
   write_text(path("house.geojson"),
              R"({"type": "FeatureCollection", "features": [{"type": "Feature",
@@ -103,11 +103,15 @@ TEST_F(Batch, SharesBuildingsAndDrapeWithoutAChange) {
   picture.crs = "EPSG:4326";
   picture.type = GDT_Byte;
   picture.write(path("drape.tif"));
-  const std::string options = "--buildings house.geojson --drape drape.tif ";
+  write_text(path("lake.geojson"),
+             R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {},
+             "geometry": {"type": "Polygon", "coordinates":
+             [[[6.99, 48.005], [7, 48.005], [7, 48.01], [6.99, 48.01], [6.99, 48.005]]]}}]})");
+  const std::string options = "--buildings house.geojson --drape drape.tif --water lake.geojson ";
   EXPECT_EQ(run(line(options + "--threads 4")).exit_code, 0);
   view(options + "--eye 47.9903,6.995,+23 --heading 111 --size 40x30 -o a.png");
   EXPECT_TRUE(pictures("o").at("v3.png") == bytes("a.png"));
-  EXPECT_EQ(records("o/jobs.jsonl").at(1).at("inputs").size(), 3U);
+  EXPECT_EQ(records("o/jobs.jsonl").at(1).at("inputs").size(), 4U);
 }
 
 TEST_F(Batch, IsTheSameForAnyNumberOfThreadsAndShards) {
