@@ -1,12 +1,12 @@
 #!/bin/bash
 # ./test.sh [--long] [--preset NAME] [CTEST ARGUMENT...]
 # Sets the machine up, builds the release preset (or NAME) and runs every test, with --long the long
-# ones too. Other arguments go to ctest: ./test.sh -R Tracer
+# ones and that of Slurm too. Other arguments go to ctest: ./test.sh -R Tracer
 set -euo pipefail
 cd "$(dirname "$0")"
 
 preset=release
-which_tests=(--label-exclude '^long$')
+which_tests=(--label-exclude '^(long|slurm)$')
 arguments=()
 while (($#)); do
   case $1 in

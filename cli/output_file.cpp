@@ -3,9 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -17,10 +20,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
+std::string temporary_beginning(const fs::path& path) {
+  return "." + path.stem().string() + ".part-";
+}
+
 std::string temporary_name(const fs::path& path) {
-  const std::string name = "." + path.stem().string() + ".part-" + std::to_string(::getpid()) +
-                           path.extension().string();
+  const std::string name =
+      temporary_beginning(path) + std::to_string(::getpid()) + path.extension().string();
   return (path.parent_path() / name).string();
+}
+
+// Its name with nothing for the process's number; empty if it is no temporary file's.
+std::string without_number(const std::string& name) {
+  const std::size_t mark = name.rfind(".part-");
+  if (mark == std::string::npos || name.front() != '.') return "";
+  const std::size_t number = mark + 6;
+  const std::size_t end = std::min(name.find_first_not_of("0123456789", number), name.size());
+  return end > number ? name.substr(0, number) + name.substr(end) : "";
 }
 
 }  // namespace
@@ -54,6 +70,22 @@ void OutputFile::fill(const std::function<void(const std::string&)>& write) {
     throw;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error("'" + path_ + "': writing failed: " + error.what());
+  }
+}
+
+void remove_leftovers(const std::vector<std::string>& paths) {
+  std::map<fs::path, std::set<std::string>> names;
+  for (const fs::path path : paths) {
+    const std::string name = temporary_beginning(path) + path.extension().string();
+    names[path.parent_path()].insert({name, name + ".tif"});  // of an indexed picture
+  }
+  for (const auto& [folder, wanted] : names) {
+    std::error_code ignored;
+    std::vector<fs::path> leftovers;
+    for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
+      if (wanted.count(without_number(entry.path().filename().string())) > 0)
+        leftovers.push_back(entry.path());
+    for (const fs::path& leftover : leftovers) fs::remove(leftover, ignored);
   }
 }
 

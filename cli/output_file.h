@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace terrview {
 
@@ -34,5 +35,9 @@ class OutputFile {
   bool committed_ = false;
   bool exists_ = false;
 };
+
+// Removes the temporary files that killed processes have left of outputs. Nobody may be writing
+// these.
+void remove_leftovers(const std::vector<std::string>& paths);
 
 }  // namespace terrview

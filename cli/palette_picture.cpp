@@ -20,6 +20,8 @@ std::vector<Rgb8> srgb_colors(const Image& image) {
 
 }  // namespace
 
+void count_colors(const Image& image, ColorCounts& counts) { counts.add(srgb_colors(image)); }
+
 Palette write_palette_image(const std::string& path, const Image& image,
                             const PaletteOptions& palette, const IndexedFileOptions& file) {
   const std::vector<Rgb8> colors = srgb_colors(image);

@@ -14,4 +14,7 @@ namespace terrview {
 Palette write_palette_image(const std::string& path, const Image& image,
                             const PaletteOptions& palette, const IndexedFileOptions& file);
 
+// Adds the pixels of `image` as they would be written.
+void count_colors(const Image& image, ColorCounts& counts);
+
 }  // namespace terrview

@@ -5,6 +5,7 @@
 #include <map>
 #include <new>
 
+#include "cli/batch/batch_command.h"
 #include "cli/command_line.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
@@ -21,6 +22,7 @@ constexpr const char* kUsage =
     "terrview: what can be seen of a landscape from a point on the Earth\n"
     "\n"
     "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
+    "  terrview batch JOBS --dem DEM... -o '{name}.png'              many, from a table\n"
     "  terrview info DEM... [--json]                                 what DEMs hold\n"
     "  terrview sky [--clouds 0..1] [--seed N] [-o OUT]              a sky, wood, marble\n"
     "  terrview synth [--relief plain|ridged|eroded] [-o OUT.tif]    a height grid\n"
@@ -31,11 +33,9 @@ constexpr const char* kUsage =
 using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
-  static const std::map<std::string, Command> kCommands{{"info", run_info},
-                                                        {"quantize", run_quantize},
-                                                        {"sky", run_sky},
-                                                        {"synth", run_synth},
-                                                        {"view", run_view}};
+  static const std::map<std::string, Command> kCommands{
+      {"batch", run_batch}, {"info", run_info},   {"quantize", run_quantize},
+      {"sky", run_sky},     {"synth", run_synth}, {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

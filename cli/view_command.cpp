@@ -160,15 +160,10 @@ Frame draw(const ViewOptions& options, const View& view, const ViewFiles& files,
 
 }  // namespace
 
-int run_view(const std::vector<std::string>& args) {
-  ViewOptions options = parse_view(args, "terrview view");
-  ViewFiles files(options);
-  WorkSeconds seconds;
+void make_picture(const ViewOptions& options, const std::vector<Dem>& dems, SharedInputs& inputs,
+                  ViewFiles& files, WorkSeconds seconds) {
   Stopwatch stopwatch;
-
-  const std::vector<Dem> dems = read(options);
-  seconds.read = stopwatch.lap();
-  const View view = make_view(options, dems);
+  const View view = make_view(options, dems, inputs);
   seconds.build = stopwatch.lap();
   if (!options.quiet) say_what_is_seen(dems, view);
   const Frame frame = options.plan ? draw_plan(options, view, dems.front(), files, seconds)
@@ -178,6 +173,20 @@ int run_view(const std::vector<std::string>& args) {
     files.stats->fill([&](const std::string& path) { write_file(path, stats.dump(2) + "\n"); });
   }
   files.commit();
+}
+
+Image make_image(const ViewOptions& options, const std::vector<Dem>& dems, SharedInputs& inputs) {
+  const View view = make_view(options, dems, inputs);
+  return render(options, view, ViewFiles(options, ViewFiles::NamesOnly{})).image;
+}
+
+int run_view(const std::vector<std::string>& args) {
+  ViewOptions options = parse_view(args, "terrview view");
+  ViewFiles files(options);
+  SharedInputs inputs;
+  Stopwatch stopwatch;
+  const std::vector<Dem> dems = read(options);
+  make_picture(options, dems, inputs, files, {.read = stopwatch.lap()});
   if (!options.quiet) std::fprintf(stderr, "wrote %s\n", files.image->path().c_str());
   return 0;
 }

@@ -3,9 +3,25 @@
 #include <string>
 #include <vector>
 
+#include "cli/shared_inputs.h"
+#include "cli/view_files.h"
+#include "cli/view_options.h"
+#include "cli/view_outputs.h"
+#include "ingest/dem.h"
+#include "render/image.h"
+
 namespace terrview {
 
 // `terrview [view] DEM... --eye ...`: one picture. Returns the exit code; throws InputError.
 int run_view(const std::vector<std::string>& args);
+
+// The view of prepared `options` over DEMs that were read, into its claimed files, which are put in
+// place. `seconds` say what the reading took. Throws InputError, std::runtime_error, Interrupted.
+void make_picture(const ViewOptions& options, const std::vector<Dem>& dems, SharedInputs& inputs,
+                  ViewFiles& files, WorkSeconds seconds);
+
+// The same without any file.
+[[nodiscard]] Image make_image(const ViewOptions& options, const std::vector<Dem>& dems,
+                               SharedInputs& inputs);
 
 }  // namespace terrview

@@ -31,7 +31,13 @@ glm::ivec2 image_size(const ViewOptions& options) {
 
 }  // namespace
 
-ViewFiles::ViewFiles(const ViewOptions& options) {
+ViewFiles::ViewFiles(const ViewOptions& options) { claim_all(options); }
+
+ViewFiles::ViewFiles(const ViewOptions& options, NamesOnly /*names_only*/) : names_only_(true) {
+  claim_all(options);
+}
+
+void ViewFiles::claim_all(const ViewOptions& options) {
   const std::string picture = options.output.empty() ? default_name(options) : options.output;
   check(picture, options);
   image = claim(picture, options);
@@ -78,7 +84,8 @@ std::unique_ptr<OutputFile> ViewFiles::claim(const std::string& path, const View
     if (std::filesystem::equivalent(path, input, not_both_exist))
       throw InputError("'" + path + "': is read by this view: write to another file");
   }
-  return std::make_unique<OutputFile>(path, options.overwrite);
+  paths_.push_back(path);
+  return names_only_ ? nullptr : std::make_unique<OutputFile>(path, options.overwrite);
 }
 
 }  // namespace terrview

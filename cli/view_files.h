@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "cli/output_file.h"
 #include "cli/view_options.h"
@@ -17,8 +18,15 @@ class ViewFiles {
   // Throws InputError for a name that cannot be written, or is used twice or by an input.
   explicit ViewFiles(const ViewOptions& options);
 
+  // Only their names, checked as far as that needs no disk.
+  struct NamesOnly {};
+  ViewFiles(const ViewOptions& options, NamesOnly names_only);
+
   // Puts them under their names.
   void commit();
+
+  // Whatever was asked for, the picture first.
+  [[nodiscard]] const std::vector<std::string>& paths() const { return paths_; }
 
   std::unique_ptr<OutputFile> image;
   std::unique_ptr<OutputFile> layers;
@@ -33,9 +41,12 @@ class ViewFiles {
   std::unique_ptr<OutputFile> progressive;  // put in place whenever it has improved
 
  private:
+  void claim_all(const ViewOptions& options);
   void check(const std::string& picture, const ViewOptions& options) const;
   std::unique_ptr<OutputFile> claim(const std::string& path, const ViewOptions& options);
 
+  bool names_only_ = false;
+  std::vector<std::string> paths_;
   std::set<std::filesystem::path> claimed_;
 };
 

@@ -4,7 +4,6 @@
 
 #include "cli/add_option.h"
 #include "ingest/color_ramp_file.h"
-#include "ingest/drape_file.h"
 #include "render/named_ramps.h"
 #include "terrain/error.h"
 
@@ -86,7 +85,8 @@ std::optional<NaturalGround> natural_ground(const ViewOptions& options) {
   return ground;
 }
 
-void set_ground_colors(const ViewOptions& options, const std::vector<Dem>& dems, Scene& scene) {
+void set_ground_colors(const ViewOptions& options, const std::vector<Dem>& dems,
+                       SharedInputs& inputs, Scene& scene) {
   scene.natural = natural_ground(options);
   if (const ColorRamp* named = find_named_ramp(options.colors))
     scene.tints = *named;
@@ -94,8 +94,8 @@ void set_ground_colors(const ViewOptions& options, const std::vector<Dem>& dems,
     scene.tints = read_color_ramp(options.colors, whole_range(*scene.terrain));
   scene.contours.interval_m = options.contour_interval_m;
   if (!options.drape.empty())
-    scene.drape = read_drape(options.drape, dem_of_each_layer(*scene.terrain, dems),
-                             options.dem.memory_bytes);
+    scene.drape = inputs.drape(options.drape, dem_of_each_layer(*scene.terrain, dems),
+                               options.dem.memory_bytes);
 }
 
 }  // namespace terrview

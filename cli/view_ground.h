@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cli/shared_inputs.h"
 #include "cli/view_options.h"
 #include "render/scene.h"
 
@@ -20,6 +21,7 @@ void check_ground_colors(const ViewOptions& options);
 [[nodiscard]] std::optional<NaturalGround> natural_ground(const ViewOptions& options);
 
 // Gives `scene`, whose terrain is that of `dems`, its tints, drape and lines. Throws InputError.
-void set_ground_colors(const ViewOptions& options, const std::vector<Dem>& dems, Scene& scene);
+void set_ground_colors(const ViewOptions& options, const std::vector<Dem>& dems,
+                       SharedInputs& inputs, Scene& scene);
 
 }  // namespace terrview

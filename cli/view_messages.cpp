@@ -6,15 +6,7 @@
 namespace terrview {
 namespace {
 
-void say_what_was_read(const std::vector<Dem>& dems, const ViewFrame& frame) {
-  for (const Dem& dem : dems) {
-    std::fprintf(stderr, "%s: %d x %d posts", dem.name.c_str(), dem.grid->columns, dem.grid->rows);
-    if (dem.voids_filled > 0) std::fprintf(stderr, ", %zu void posts filled", dem.voids_filled);
-    if (dem.voids_open > 0) std::fprintf(stderr, ", %zu void posts open", dem.voids_open);
-    std::fputc('\n', stderr);
-    for (const std::string& warning : dem.warnings)
-      std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  }
+void say_how_it_was_placed(const ViewFrame& frame) {
   for (const CrsOperation& operation : frame.operations()) {
     std::fprintf(stderr, "%s: %s, accuracy ", operation.dem.c_str(), operation.name.c_str());
     if (operation.accuracy_m)
@@ -59,8 +51,20 @@ void say_where_the_sun_is(const SunPosition& sun) {
 
 }  // namespace
 
+void say_what_was_read(const std::vector<Dem>& dems) {
+  for (const Dem& dem : dems) {
+    std::fprintf(stderr, "%s: %d x %d posts", dem.name.c_str(), dem.grid->columns, dem.grid->rows);
+    if (dem.voids_filled > 0) std::fprintf(stderr, ", %zu void posts filled", dem.voids_filled);
+    if (dem.voids_open > 0) std::fprintf(stderr, ", %zu void posts open", dem.voids_open);
+    std::fputc('\n', stderr);
+    for (const std::string& warning : dem.warnings)
+      std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  }
+}
+
 void say_what_is_seen(const std::vector<Dem>& dems, const View& view) {
-  say_what_was_read(dems, view.frame);
+  say_what_was_read(dems);
+  say_how_it_was_placed(view.frame);
   for (const std::string& line : view.objects.messages) std::fprintf(stderr, "%s\n", line.c_str());
   for (const std::string& line : view.labels.messages) std::fprintf(stderr, "%s\n", line.c_str());
   if (view.resolved.plan)

@@ -43,8 +43,8 @@ void check_any(const VectorFile& file, const PlacedCounts& counts, const std::st
                      "system, or leave it out");
 }
 
-void read_buildings(const ObjectOptions& options, const ViewFrame& frame, ViewObjects& objects) {
-  const FootprintFile file = read_footprints(options.buildings, options.reading);
+void add_buildings(const FootprintFile& file, const ObjectOptions& options, const ViewFrame& frame,
+                   ViewObjects& objects) {
   const PlacedCounts counts = place_buildings(file, frame, options.placing, objects.placed);
   check_any(file.file, counts,
             "a polygon with an area: give footprints; points grow trees with --trees");
@@ -56,8 +56,7 @@ void read_buildings(const ObjectOptions& options, const ViewFrame& frame, ViewOb
   add_warnings(file.file, objects);
 }
 
-void read_trees(const ObjectOptions& options, const ViewFrame& frame, ViewObjects& objects) {
-  const TreeFile file = terrview::read_trees(options.trees);
+void add_trees(const TreeFile& file, const ViewFrame& frame, ViewObjects& objects) {
   const PlacedCounts counts = place_trees(file, frame, objects.placed);
   check_any(file.file, counts, "a point: give points; polygons are raised with --buildings");
   objects.messages.push_back(summary(file.file, counts, "trees") +
@@ -142,10 +141,12 @@ const char* name_of(BuildingBase base) {
   return "";
 }
 
-ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame) {
+ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame,
+                         SharedInputs& inputs) {
   ViewObjects objects;
-  if (!options.buildings.empty()) read_buildings(options, frame, objects);
-  if (!options.trees.empty()) read_trees(options, frame, objects);
+  if (!options.buildings.empty())
+    add_buildings(*inputs.footprints(options.buildings, options.reading), options, frame, objects);
+  if (!options.trees.empty()) add_trees(*inputs.trees(options.trees), frame, objects);
   objects.scene = objects.placed.scene_objects();
   warn_of_eye_within(objects);
   return objects;

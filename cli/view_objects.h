@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/shared_inputs.h"
 #include "cli/view_options.h"
 #include "ingest/buildings.h"
 #include "ingest/view_frame.h"
@@ -25,6 +26,7 @@ struct ViewObjects {
 };
 
 // Throws InputError.
-[[nodiscard]] ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame);
+[[nodiscard]] ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame,
+                                       SharedInputs& inputs);
 
 }  // namespace terrview

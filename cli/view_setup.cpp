@@ -84,6 +84,12 @@ void check_curved(const ViewOptions& options, const Dem& dem) {
                      "--a-srs EPSG:CODE");
 }
 
+GroundDetail::MeansOfGrids known_means(const std::vector<Dem>& dems) {
+  GroundDetail::MeansOfGrids means;
+  for (const Dem& dem : dems) means[dem.grid.get()] = dem.means;
+  return means;
+}
+
 Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPosition& sun,
                  const std::vector<Dem>& dems) {
   Scene scene;
@@ -96,8 +102,8 @@ Scene make_scene(const ViewOptions& options, const ViewFrame& frame, const SunPo
                                    .threads = options.threads,
                                    .progress = [](double) { check_interrupt(); }}));
   if (!options.plan) scene.air = make_air(options.air);
-  if (options.sampling.detail) scene.detail = std::make_shared<GroundDetail>(*scene.terrain);
-  set_ground_colors(options, dems, scene);
+  if (options.sampling.detail)
+    scene.detail = std::make_shared<GroundDetail>(*scene.terrain, known_means(dems));
   return scene;
 }
 
@@ -170,21 +176,27 @@ Camera make_camera(const ResolvedView& view) {
 }
 
 View make_view(const ViewOptions& options, const std::vector<Dem>& dems) {
-  const LaidWater laid = lay_water(options.water, dems);
-  const std::vector<Dem>& ground = laid.lakes ? laid.lakes->dems : dems;
+  SharedInputs its_own;
+  return make_view(options, dems, its_own);
+}
+
+View make_view(const ViewOptions& options, const std::vector<Dem>& dems, SharedInputs& inputs) {
+  const auto laid = inputs.water(options.water, dems);
+  const std::vector<Dem>& ground = laid->lakes ? laid->lakes->dems : dems;
   const EyePlace eye = options.plan ? eye_of_plan(options, ground) : *options.eye;
   ViewFrame frame(ground, eye, frame_options(options));
   const ResolvedView resolved = resolve_view(options, frame, ground);
   const SunPosition sun =
       resolve_sun(options.light, {frame.eye().geographic, frame.eye().height_m});
   Scene scene = make_scene(options, frame, sun, ground);
+  set_ground_colors(options, ground, inputs, scene);
   const Camera camera = make_camera(resolved);
   scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
-  ViewObjects objects = read_objects(options.objects, frame);
-  objects.messages.insert(objects.messages.end(), laid.messages.begin(), laid.messages.end());
+  ViewObjects objects = read_objects(options.objects, frame, inputs);
+  objects.messages.insert(objects.messages.end(), laid->messages.begin(), laid->messages.end());
   scene.objects = objects.scene;
   if (has_water(options.water))
-    scene.water = make_water(options.water, laid, scene, !options.plan,
+    scene.water = make_water(options.water, *laid, scene, !options.plan,
                              mirror_view_sky(options.sky, frame, camera, scene));
   ViewLabels labels = make_labels(options, frame, camera, scene);
   return {std::move(frame),   resolved,         sun, camera, std::move(scene),

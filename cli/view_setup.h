@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/camera_json.h"
+#include "cli/shared_inputs.h"
 #include "cli/view_labels.h"
 #include "cli/view_objects.h"
 #include "cli/view_options.h"
@@ -34,5 +35,7 @@ struct View {
 };
 
 [[nodiscard]] View make_view(const ViewOptions& options, const std::vector<Dem>& dems);
+[[nodiscard]] View make_view(const ViewOptions& options, const std::vector<Dem>& dems,
+                             SharedInputs& inputs);
 
 }  // namespace terrview

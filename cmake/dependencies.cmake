@@ -36,6 +36,9 @@ add_library(libnova::libnova INTERFACE IMPORTED)
 target_link_libraries(libnova::libnova INTERFACE ${LIBNOVA_LIBRARY})
 target_include_directories(libnova::libnova INTERFACE ${LIBNOVA_INCLUDE_DIR})
 
+# xxHash is used as a header alone.
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+
 # The rival in the benchmark, whose ray set-up is written for x86-64.
 if(TERRVIEW_BENCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   find_package(embree 3 CONFIG)

@@ -18,7 +18,9 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
+#include "terrain/height_ceilings.h"
 #include "terrain/height_grid.h"
+#include "terrain/mean_heights.h"
 
 namespace terrview {
 
@@ -78,6 +80,10 @@ struct Dem {
   std::size_t voids_filled = 0;  // posts
   std::size_t voids_open = 0;
   std::vector<std::string> warnings;  // one line each, for the user
+
+  // Those of the grid, where views share them; each view makes its own otherwise.
+  std::shared_ptr<const HeightCeilings> ceilings{};
+  std::shared_ptr<const MeanHeights> means{};
 };
 
 inline constexpr int kFilledVoid_posts = 32;

@@ -237,11 +237,12 @@ std::vector<TerrainLayer> ViewFrame::Impl::curved_layers(const VerticalFrame& fr
 namespace {
 
 // Those of a grid, in whatever layers it is.
-void make_ceilings(std::vector<TerrainLayer>& layers, int threads) {
+void make_ceilings(const std::vector<Dem>& dems, std::vector<TerrainLayer>& layers, int threads) {
   const ForEach for_each = [threads](int count, const std::function<void(int index)>& work) {
     parallel_for(count, threads, work);
   };
   std::map<const HeightGrid*, std::shared_ptr<const HeightCeilings>> made;
+  for (const Dem& dem : dems) made[dem.grid.get()] = dem.ceilings;
   for (TerrainLayer& layer : layers) {
     auto& ceilings = made[layer.grid.get()];
     if (!ceilings) ceilings = std::make_shared<const HeightCeilings>(*layer.grid, for_each);
@@ -265,7 +266,7 @@ ViewFrame::ViewFrame(const std::vector<Dem>& dems, const EyePlace& eye,
   const VerticalFrame frame = impl_->vertical_frame(eye);
   std::vector<TerrainLayer> layers =
       impl_->curved ? impl_->curved_layers(frame) : impl_->flat_layers();
-  if (options.search == Search::pyramid) make_ceilings(layers, options.threads);
+  if (options.search == Search::pyramid) make_ceilings(dems, layers, options.threads);
   impl_->terrain =
       std::make_shared<Terrain>(std::move(layers), frame, options.surface, options.search);
 }

@@ -185,7 +185,10 @@ FloodedDems flood(const std::vector<Dem>& dems, const WaterBodies& water) {
     }
     const glm::ivec2 size(grid->columns, grid->rows);
     flooded.lakes.push_back(wet.empty() ? nullptr : std::make_shared<Lakes>(std::move(wet), size));
-    if (flooded.lakes.back()) flooded.dems[i].grid = std::move(grid);
+    if (!flooded.lakes.back()) continue;
+    flooded.dems[i].grid = std::move(grid);
+    flooded.dems[i].ceilings = nullptr;  // of the dry grid
+    flooded.dems[i].means = nullptr;
   }
   for (std::size_t body = 0; body < placed.size(); ++body) {
     if (!placed[body]) continue;

@@ -14,9 +14,12 @@ constexpr double kLongest = 256;
 
 }  // namespace
 
-GroundDetail::GroundDetail(const Terrain& terrain) {
-  for (const TerrainLayer& layer : terrain.layers())
-    layers_.push_back({MeanHeights(*layer.grid), post_distance_m(layer)});
+GroundDetail::GroundDetail(const Terrain& terrain, MeansOfGrids known) {
+  for (const TerrainLayer& layer : terrain.layers()) {
+    auto& means = known[layer.grid.get()];
+    if (!means) means = std::make_shared<const MeanHeights>(*layer.grid);
+    layers_.push_back({means, post_distance_m(layer)});
+  }
 }
 
 GroundDetail::Ground GroundDetail::seen(const Terrain& terrain, const Ray& ray, const Hit& hit,
@@ -28,7 +31,7 @@ GroundDetail::Ground GroundDetail::seen(const Terrain& terrain, const Ray& ray, 
   const double side_m = width_m / std::sqrt(std::max(facing, 1 / kLongest));
   if (side_m <= layer.post_m) return exact;
   const double level = std::log2(side_m / layer.post_m);
-  const auto mean = layer.means.at(level, hit.uv);
+  const auto mean = layer.means->at(level, hit.uv);
   if (!mean) return exact;
   const Ground averaged{normal_of_slope(terrain, hit, mean->slope_m), mean->height_m};
   if (level >= 1) return averaged;

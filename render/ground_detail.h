@@ -1,6 +1,7 @@
 // Level of detail: what the ground looks like where a pixel covers more than a post.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -10,7 +11,10 @@ namespace terrview {
 
 class GroundDetail {
  public:
-  explicit GroundDetail(const Terrain& terrain);
+  using MeansOfGrids = std::map<const HeightGrid*, std::shared_ptr<const MeanHeights>>;
+
+  // Takes those means that are `known`, and makes the others.
+  explicit GroundDetail(const Terrain& terrain, MeansOfGrids known = {});
 
   struct Ground {
     glm::dvec3 normal;
@@ -25,7 +29,7 @@ class GroundDetail {
 
  private:
   struct Layer {
-    MeanHeights means;
+    std::shared_ptr<const MeanHeights> means;
     double post_m;
   };
   std::vector<Layer> layers_;

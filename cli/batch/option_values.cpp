@@ -1,0 +1,150 @@
+#include "cli/batch/option_values.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/parse.h"
+#include "cli/view_options.h"
+#include "terrain/error.h"
+
+namespace terrview {
+namespace {
+
+// How the program behaves, whatever the view; and the picture, which -o names for all.
+const std::set<std::string> kBehaviour{"o",        "overwrite",   "threads", "quiet",
+                                       "progress", "progressive", "help"};
+
+std::string name_of(const CLI::Option& option) {
+  return option.get_lnames().empty() ? option.get_snames().front() : option.get_lnames().front();
+}
+
+bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
+
+bool takes_many(const CLI::Option& option) {
+  return option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+}
+
+// Levenshtein's.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+struct ViewVocabulary::Definitions {
+  CLI::App app;
+  ViewOptions options;
+  std::map<std::string, const CLI::Option*> by_name;
+  std::set<std::string> reading;  // of DEMs
+};
+
+ViewVocabulary::ViewVocabulary() : definitions_(std::make_unique<Definitions>()) {
+  add_view_options(definitions_->app, definitions_->options);
+  for (const CLI::Option* option : definitions_->app.get_options())
+    if (option->nonpositional()) definitions_->by_name[name_of(*option)] = option;
+  CLI::App dem_app;
+  std::vector<std::string> dems;
+  DemOptions reading;
+  add_dem_options(dem_app, dems, reading);
+  for (const CLI::Option* option : dem_app.get_options())
+    if (option->nonpositional()) definitions_->reading.insert(name_of(*option));
+}
+
+ViewVocabulary::~ViewVocabulary() = default;
+
+const CLI::Option& ViewVocabulary::option(const std::string& name) const {
+  return *definitions_->by_name.at(name);
+}
+
+OptionValues ViewVocabulary::given(const CLI::App& parsed) const {
+  OptionValues values;
+  for (const CLI::Option* option : parsed.get_options()) {
+    if (option->count() > 0 && option->nonpositional() &&
+        definitions_->by_name.count(name_of(*option)) > 0)
+      values[name_of(*option)] = option->results();
+  }
+  return values;
+}
+
+std::optional<std::string> ViewVocabulary::option_of(const std::string& column) const {
+  std::string name = column;
+  std::replace(name.begin(), name.end(), '_', '-');
+  if (definitions_->by_name.count(name) == 0 || name.size() < 2) return std::nullopt;
+  return name;
+}
+
+std::string ViewVocabulary::nearest(const std::string& column) const {
+  std::string best;
+  for (const auto& [name, unused] : definitions_->by_name)
+    if (best.empty() || edit_distance(name, column) < edit_distance(best, column)) best = name;
+  return best;
+}
+
+bool ViewVocabulary::is_common(const std::string& option) const {
+  return kBehaviour.count(option) > 0 || definitions_->reading.count(option) > 0;
+}
+
+void ViewVocabulary::set(const std::string& name, const std::vector<std::string>& cell,
+                         OptionValues& values) const {
+  const CLI::Option& known = option(name);
+  if (is_flag(known)) {
+    const std::string word = lower_case(cell.front());
+    if (cell.size() != 1 || (word != "true" && word != "false"))
+      throw InputError("--" + name + " " + cell.front() + ": give true, false or nothing");
+    values.erase(name);
+    if (word == "true") values[name] = {"true"};
+    return;
+  }
+  values[name] = cell;
+  if (takes_many(known) || cell.size() == 1) return;
+  const auto with_comma = [](const std::string& a, const std::string& b) { return a + "," + b; };
+  values[name] = {std::accumulate(cell.begin() + 1, cell.end(), cell.front(), with_comma)};
+}
+
+OptionValues ViewVocabulary::with_row(OptionValues values, const JobRow& row) const {
+  OptionValues said;
+  for (const auto& [column, cell] : row.cells) {
+    const auto name = option_of(column);
+    if (!name) continue;
+    said.erase(*name);
+    set(*name, cell, values);
+    if (values.count(*name) > 0) said[*name] = values[*name];
+  }
+  for (const auto& [name, unused] : said) {
+    for (const CLI::Option* excluded : option(name).get_excludes())
+      if (said.count(name_of(*excluded)) == 0) values.erase(name_of(*excluded));
+  }
+  return values;
+}
+
+std::vector<std::string> ViewVocabulary::arguments(const OptionValues& values,
+                                                   const std::vector<std::string>& dems) const {
+  std::vector<std::string> args;
+  for (const auto& [name, all] : values) {
+    const bool is_short = name.size() == 1;
+    for (const std::string& value : all) {
+      if (is_flag(option(name)))
+        args.push_back("--" + name);
+      else
+        args.push_back(is_short ? "-" + name + value : "--" + name + "=" + value);
+    }
+  }
+  args.emplace_back("--");
+  args.insert(args.end(), dems.begin(), dems.end());
+  return args;
+}
+
+}  // namespace terrview
