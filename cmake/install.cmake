@@ -1,5 +1,6 @@
-# What `cmake --install` installs, in two components: `program` (the program, its manual, completion)
-# and `development` (libraries, headers, the CMake package).
+# What `cmake --install` installs, in components: `program` (the program, its manual, completion), `zsh`
+# (zsh's completion, which Debian has elsewhere) and `development` (libraries, headers, the CMake
+# package).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -23,7 +24,7 @@ install(FILES ${manual}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT pr
 install(FILES packaging/terrview.bash RENAME terrview
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES packaging/_terrview DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
-  COMPONENT program)
+  COMPONENT zsh)
 install(DIRECTORY docs/ DESTINATION ${document_folder} COMPONENT program FILES_MATCHING PATTERN *.md
   PATTERN images EXCLUDE)
 install(FILES samples/vosges_like.tif DESTINATION ${document_folder}/examples COMPONENT program)
@@ -38,7 +39,5 @@ write_basic_package_version_file(${generated}/terrviewConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${generated}/terrviewConfig.cmake ${generated}/terrviewConfigVersion.cmake
   cmake/libraries.cmake DESTINATION ${package_folder} COMPONENT development)
-install(CODE "set(source \"${PROJECT_SOURCE_DIR}\")
-set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/terrview\")"
-  COMPONENT development)
+install(CODE "set(source \"${PROJECT_SOURCE_DIR}\")" COMPONENT development)
 install(SCRIPT cmake/install_headers.cmake COMPONENT development)

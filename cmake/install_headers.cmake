@@ -1,6 +1,6 @@
-# Installs the public headers of `source` into `destination`: those of the libraries that the program
+# Installs the public headers of `source` into include/terrview: those of the libraries that the program
 # itself is made from, and what they include. The others belong to the libraries' insides.
-cmake_policy(SET CMP0057 NEW)
+cmake_policy(VERSION 3.25)
 
 # included(<result> <folder of the include> <files...>)
 function(included result folders)
@@ -28,5 +28,5 @@ endwhile()
 
 foreach(header ${headers})
   get_filename_component(folder ${header} DIRECTORY)
-  file(INSTALL ${source}/${header} DESTINATION ${destination}/${folder})
+  file(INSTALL ${source}/${header} DESTINATION ${CMAKE_INSTALL_PREFIX}/include/terrview/${folder})
 endforeach()

@@ -1,6 +1,8 @@
 # `cpack` makes two packages for Debian: terrview, and libterrview-dev for its libraries.
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "terrview maintainers <maintainers@users.noreply.github.com>")
+if(NOT CPACK_PACKAGE_CONTACT)  # who packages: cmake -DCPACK_PACKAGE_CONTACT="Name <address>"
+  set(CPACK_PACKAGE_CONTACT "terrview maintainers <maintainers@terrview.invalid>")
+endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "what can be seen of a landscape from a point on the Earth")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -22,18 +24,20 @@ set(CPACK_DEBIAN_TERRVIEW_PACKAGE_NAME terrview)
 set(CPACK_DEBIAN_TERRVIEW_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TERRVIEW_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TERRVIEW_PACKAGE_DEPENDS fonts-dejavu-core)  # for labels
-set(CPACK_DEBIAN_TERRVIEW_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}
- terrview reads elevation models, puts an eye at a latitude, longitude and height, and ray traces the
- terrain exactly: hidden parts, cast shadows, light from the sky, the blue of the air, buildings and
- trees. For every pixel it can write the distance, the place and the height of the ground seen there.")
+set(CPACK_DEBIAN_TERRVIEW_DESCRIPTION
+"terrview reads elevation models, puts an eye at a latitude, longitude and
+height, and ray traces the terrain exactly: hidden parts, cast shadows,
+light from the sky, the blue of the air, buildings and trees. For every
+pixel it can write the distance, the place and the height of the ground
+seen there.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libterrview-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY} (libraries)
- The static libraries, the headers and the CMake package of terrview.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+  "The static libraries, the headers and the CMake package of terrview.")
 
-# The packages of the libraries that cmake/libraries.cmake finds.
+# The packages of what cmake/libraries.cmake finds: the lines up to an empty one.
 file(READ cmake/packages.txt needed)
-string(REGEX REPLACE ".*\n# Libraries[^\n]*\n(.*)\n# Tests.*" "\\1" needed "${needed}")
+string(REGEX REPLACE ".*\n# Libraries[^\n]*\n(([^\n]+\n)+).*" "\\1" needed "${needed}")
 string(REGEX REPLACE "[ \t]*#[^\n]*" "" needed "${needed}")
 string(REGEX MATCHALL "[^\n]+" needed "${needed}")
 list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
