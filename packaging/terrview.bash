@@ -26,7 +26,7 @@ _terrview() {
   ((COMP_CWORD > 1)) && [[ ${COMP_WORDS[1]} != -* ]] && command=${COMP_WORDS[1]}
 
   while IFS= read -r line; do
-    [[ $line =~ ^'  '([^ ]+)(' '([^ :]+))? ]] || continue
+    [[ ${line/ Excludes: *} =~ ^'  '([^ ]+)(' '([^ :]+))? ]] || continue
     names=${BASH_REMATCH[1]//,/ }
     if [[ $names != -* ]]; then
       arguments+="|$names"

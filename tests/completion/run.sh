@@ -60,6 +60,7 @@ expect 'alpine,arid' view --colors a
 expect 'dem.tif' view --colors d
 expect '' view --eye ''
 expect 'dem.tif,two words.tif' view --no-shadows ''
+expect 'dem.tif,two words.tif' view --preview ''
 
 # Every option of --help, and nothing else.
 options_of() {
