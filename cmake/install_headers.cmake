@@ -1,8 +1,7 @@
 # Installs the public headers of `source` into include/terrview: those of the libraries that the program
 # itself is made from, and what they include. The others belong to the libraries' insides.
-cmake_policy(VERSION 3.25)
 
-# included(<result> <folder of the include> <files...>)
+# included(<result> <folders, parted by bars> <files...>): what the files include from the folders.
 function(included result folders)
   set(found)
   foreach(file ${ARGN})
