@@ -10,7 +10,7 @@ namespace terrview {
 
 void add_format_options(CLI::App& app, std::string& format,
                         std::map<std::string, std::string>& creation, const std::string& keys) {
-  app.add_option("--of", format, "Output format, if not by extension");
+  app.add_option("--of", format, "Output format, if not by extension")->type_name("FORMAT");
   app.add_option_function<std::vector<std::string>>(
          "--co",
          [&creation](const std::vector<std::string>& texts) {

@@ -69,7 +69,8 @@ void add_flat_options(CLI::App& app, SkyCommand& options) {
 void add_color_options(CLI::App& app, SkyCommand& options) {
   app.add_option("--clouds", options.clouds, "0 blue to 1 grey (default 0.35)")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--ramp", options.ramp, "sky, sunset, wood, marble, or a JSON file");
+  app.add_option("--ramp", options.ramp, "The colour table: of that name, or a JSON file")
+      ->type_name("sky|sunset|wood|marble|FILE");
   app.add_option_function<double>(
          "--noise", [&](double noise) { options.noise = noise; },
          "White noise: the standard deviation, in table addresses")
@@ -78,7 +79,8 @@ void add_color_options(CLI::App& app, SkyCommand& options) {
 }
 
 void add_output_options(CLI::App& app, SkyCommand& options) {
-  app.add_option("-o,--output", options.output, "png, jpg, tif, exr, webp, ppm or pnm (sky.png)");
+  app.add_option("-o", options.output, "png, jpg, tif, exr, webp, ppm or pnm (sky.png)")
+      ->type_name("FILE");
   add_format_options(app, options.file.format, options.file.creation,
                      "QUALITY, ZLEVEL or COMPRESS");
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");

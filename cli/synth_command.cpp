@@ -104,7 +104,7 @@ SynthCommand parse_synth(const std::vector<std::string>& args) {
   add_field_options(app, options.field);
   add_grid_options(app, options);
   add_relief_options(app, options);
-  app.add_option("-o,--output", options.output, "A GeoTIFF (default synth.tif)");
+  app.add_option("-o", options.output, "A GeoTIFF (default synth.tif)")->type_name("FILE");
   add_format_options(app, options.file.format, options.file.creation, heights_creation_keys());
   app.add_flag("--overwrite", options.overwrite, "Replace an existing output");
   app.add_option("--threads", options.threads, "Never changes the grid (default: all)")

@@ -128,7 +128,8 @@ void add_output_options(CLI::App& app, ViewOptions& options) {
 
 void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& options) {
   app.add_option("DEM", dems, "Elevation models in order of preference: anything GDAL opens")
-      ->required();
+      ->required()
+      ->type_name("FILE");
   app.add_option("--a-srs", options.crs, "The DEMs' coordinate reference system, as EPSG:4326")
       ->type_name("CRS");
   add_parsed(
@@ -140,7 +141,8 @@ void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& 
       },
       "Metres between posts (and per unit of height) of a grid without a place")
       ->type_name("DX,DY[,DZ]");
-  app.add_option("--z-unit", options.height_unit, "Unit of the heights: m, ft, us-ft, cm, ...");
+  app.add_option("--z-unit", options.height_unit, "Unit of the heights: m, ft, us-ft, cm, ...")
+      ->type_name("UNIT");
   add_parsed(
       app, "--window", [&](const std::string& text) { options.window = parse_window(text); },
       "Read only this window, in posts")

@@ -1,9 +1,11 @@
-# Compiler flags shared by every target.
+# Compiler flags shared by every target. Those that decide results are exported with the headers, whose
+# inline functions need them too; warnings and sanitizers are the build's own.
 add_library(terrview_flags INTERFACE)
-target_compile_options(terrview_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
   # gcc 12 sees overlaps in every "text" + std::string (its bug 105651).
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
+target_compile_options(terrview_flags INTERFACE
+  "$<BUILD_INTERFACE:${warnings}>"
   # gcc 12 at -O3 drops the rounding of double -> float -> double where two such conversions stand side
   # by side and become one vector. Costs nothing: the loops that matter are vectors by hand or by the
   # loop vectorizer.
@@ -12,11 +14,13 @@ target_compile_options(terrview_flags INTERFACE
   # (NaN means "no data").
   -ffp-contract=off)
 if(TERRVIEW_WERROR)
-  target_compile_options(terrview_flags INTERFACE -Werror)
+  target_compile_options(terrview_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(TERRVIEW_SANITIZE)
-  target_compile_options(terrview_flags INTERFACE -fsanitize=${TERRVIEW_SANITIZE} -fno-omit-frame-pointer
-    -fno-sanitize-recover=all)
-  target_link_options(terrview_flags INTERFACE -fsanitize=${TERRVIEW_SANITIZE})
+  target_compile_options(terrview_flags INTERFACE
+    "$<BUILD_INTERFACE:-fsanitize=${TERRVIEW_SANITIZE};-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
+  target_link_options(terrview_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=${TERRVIEW_SANITIZE}>)
 endif()
-target_include_directories(terrview_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_features(terrview_flags INTERFACE cxx_std_20)
+target_include_directories(terrview_flags INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/terrview>)

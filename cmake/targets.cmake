@@ -1,8 +1,11 @@
-# terrview_library(<folder> <public libraries...>): the static library of one folder's sources.
+# terrview_library(<folder> <public libraries...>): the static library of one folder's sources, which
+# other projects know as terrview::<folder>.
 function(terrview_library folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.h)
   add_library(terrview_${folder} STATIC ${sources})
   target_link_libraries(terrview_${folder} PUBLIC terrview_flags ${ARGN})
+  add_library(terrview::${folder} ALIAS terrview_${folder})
+  set_target_properties(terrview_${folder} PROPERTIES EXPORT_NAME ${folder})
 endfunction()
 
 # terrview_test(<name> <folder of tests> [EXCLUDE <regex>] <libraries...>): one test program per

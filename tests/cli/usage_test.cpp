@@ -1,7 +1,6 @@
 // Exit codes and messages of the program: docs/cli.md.
 #include <cstddef>
 #include <cstdlib>
-#include <set>
 
 #include "tests/cli/small_view.h"
 
@@ -174,30 +173,6 @@ TEST_F(Usage, IsShownOnStandardErrorWithoutArguments) {
   EXPECT_EQ(finished.exit_code, 2);
   EXPECT_EQ(finished.out, "");
   EXPECT_TRUE(says(finished.err, {"terrview", "--eye", "--help"}));
-}
-
-// Every --option in a text.
-std::set<std::string> options_in(const std::string& text) {
-  std::set<std::string> options;
-  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at + 2)) {
-    const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at + 2);
-    // Longer rows of dashes are the rules of tables.
-    if (end > at + 2 && text[at + 2] != '-') options.insert(text.substr(at, end - at));
-  }
-  return options;
-}
-
-TEST_F(Usage, HelpAndTheManualListTheSameOptions) {
-  const std::string manual = read_text(TERRVIEW_SOURCE_DIR "/docs/cli.md");
-  for (const std::string command : {"view", "quantize"}) {
-    const auto begin = manual.find("\n## " + command + "\n");
-    ASSERT_NE(begin, std::string::npos);
-    const auto end = manual.find("\n## ", begin + 1);
-    std::set<std::string> documented = options_in(manual.substr(begin, end - begin));
-    std::set<std::string> known = options_in(run({command, "--help"}).out);
-    for (const char* general : {"--help", "--version"}) known.erase(general);
-    EXPECT_EQ(known, documented);
-  }
 }
 
 TEST_F(Usage, MessagesGoToStandardErrorAndQuietHasNone) {
