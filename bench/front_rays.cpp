@@ -2,85 +2,99 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 
+#include <glm/common.hpp>
+
 #include "render/parallel.h"
+#include "render/pixel_lattice.h"
 #include "terrain/eye_tracer.h"
 
 namespace terrview {
 
 namespace {
 
-struct Row {
-  std::size_t first;
-  std::size_t count;
-  int cells_in_row;
-};
-
-// Loop by loop, so that the compiler may make vectors of each.
-void store_row(const EyeRays& rays, const EyeNormals& normals, const Row& row, TracedFrame& frame,
+// Of a row of pixels, from `first` on.
+void store_row(const EyeFacets& facets, std::size_t first, std::size_t count, TracedFrame& frame,
                std::size_t pixel) {
-  const double* ground_m = rays.ground_m.data() + row.first;
-  const double* slope = rays.slope.data() + row.first;
-  double* distance_m = frame.distance_m.data() + pixel;
-  for (std::size_t i = 0; i < row.count; ++i) {
-    const double along = std::isinf(slope[i]) ? 1 : std::sqrt(1 + slope[i] * slope[i]);
-    distance_m[i] = ground_m[i] < 0 ? std::numeric_limits<double>::infinity() : ground_m[i] * along;
-  }
-  const double* cell_row = rays.row.data() + row.first;
-  const double* cell_column = rays.column.data() + row.first;
-  std::int32_t* cell = frame.cell.data() + pixel;
-  for (std::size_t i = 0; i < row.count; ++i) {
-    const bool hit = ground_m[i] >= 0;
-    const double index = hit ? cell_row[i] * row.cells_in_row + cell_column[i] : kNoCell;
-    cell[i] = static_cast<std::int32_t>(index);
-  }
-  const auto store_normal = [&](const double* from, float* to) {
-    for (std::size_t i = 0; i < row.count; ++i)
-      to[i] = ground_m[i] >= 0 ? static_cast<float>(from[i]) : 0;
-  };
-  store_normal(normals.x.data() + row.first, frame.normal_east.data() + pixel);
-  store_normal(normals.y.data() + row.first, frame.normal_north.data() + pixel);
+  std::copy_n(facets.distance_m.data() + first, count, frame.distance_m.data() + pixel);
+  std::copy_n(facets.cell.data() + first, count, frame.cell.data() + pixel);
+  std::copy_n(facets.x.data() + first, count, frame.normal_east.data() + pixel);
+  std::copy_n(facets.y.data() + first, count, frame.normal_north.data() + pixel);
 }
+
+// Part of a picture; one that is level goes upwards, row by row, and rows that follow others are as
+// wide as a batch.
+class PartTracer {
+ public:
+  PartTracer(const EyeFront& front, const Camera& camera, TracedFrame& frame)
+      : front_(front), camera_(camera), frame_(frame) {}
+
+  void trace_block(glm::ivec2 first_px, glm::ivec2 size_px) {
+    for (int row = 0; row < size_px.y; ++row)
+      aim({first_px.x, first_px.y + row}, size_px.x, static_cast<std::size_t>(row * size_px.x));
+    rays_.count = static_cast<std::size_t>(size_px.x * size_px.y);
+    trace(front_, rays_, counts_);
+    facets(front_.terrain(), rays_, seen_);
+    for (int row = 0; row < size_px.y; ++row)
+      store_row(seen_, static_cast<std::size_t>(row * size_px.x),
+                static_cast<std::size_t>(size_px.x), frame_,
+                frame_.index(first_px.x, first_px.y + row));
+  }
+
+  void trace_upwards(glm::ivec2 first_px, glm::ivec2 size_px) {
+    rays_.begin_to_follow();
+    for (int row = size_px.y; row-- > 0;)
+      trace_block({first_px.x, first_px.y + row}, {size_px.x, 1});
+  }
+
+  [[nodiscard]] const TraceCounts& counts() const { return counts_; }
+
+ private:
+  void aim(glm::ivec2 first_px, int columns, std::size_t i) {
+    const auto width = static_cast<std::size_t>(columns);
+    camera_.aim_row(glm::dvec2(first_px) + 0.5, {std::span(rays_.direction_x).subspan(i, width),
+                                                 std::span(rays_.direction_y).subspan(i, width),
+                                                 std::span(rays_.direction_z).subspan(i, width)});
+  }
+
+  const EyeFront& front_;
+  const Camera& camera_;
+  TracedFrame& frame_;
+  EyeRays rays_;
+  EyeFacets seen_;
+  TraceCounts counts_;
+};
 
 }  // namespace
 
 FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
                       TracedFrame& frame) {
-  constexpr int kWide_px = 32;
-  constexpr int kHigh_px = static_cast<int>(EyeRays::kMost) / kWide_px;
+  constexpr int kMost = static_cast<int>(EyeRays::kMost);
+  constexpr int kTileWide_px = 32;
+  constexpr int kLevelHigh_px = 270;
+  const bool is_level = column_view(camera).has_value();
+  const glm::ivec2 tile_px = is_level ? glm::ivec2(kMost, kLevelHigh_px)
+                                      : glm::ivec2(frame.size_px.x, kMost / kTileWide_px);
+  const glm::ivec2 tiles = (frame.size_px + tile_px - 1) / tile_px;
   std::atomic<std::int64_t> tests = 0;
   std::atomic<std::int64_t> nodes = 0;
-  const glm::ivec2 size_px = frame.size_px;
-  const int cells_in_row = front.terrain().layers()[0].grid->columns - 1;
-  parallel_for((size_px.y + kHigh_px - 1) / kHigh_px, threads, [&](int band) {
-    const auto rays = std::make_unique<EyeRays>();
-    const auto normals = std::make_unique<EyeNormals>();
-    TraceCounts counts;
-    const int rows = std::min(kHigh_px, size_px.y - band * kHigh_px);
-    for (int left = 0; left < size_px.x; left += kWide_px) {
-      const int columns = std::min(kWide_px, size_px.x - left);
-      std::size_t i = 0;
-      const auto width = static_cast<std::size_t>(columns);
-      for (int row = 0; row < rows; ++row, i += width)
-        camera.aim_row({left + 0.5, band * kHigh_px + row + 0.5},
-                       {std::span(rays->direction_x).subspan(i, width),
-                        std::span(rays->direction_y).subspan(i, width),
-                        std::span(rays->direction_z).subspan(i, width)});
-      rays->count = i;
-      trace(front, *rays, counts);
-      facet_normals(front.terrain(), *rays, *normals);
-      for (int row = 0; row < rows; ++row)
-        store_row(*rays, *normals, {static_cast<std::size_t>(row) * width, width, cells_in_row},
-                  frame, frame.index(left, band * kHigh_px + row));
+  parallel_for(tiles.x * tiles.y, threads, [&](int tile) {
+    const auto part = std::make_unique<PartTracer>(front, camera, frame);
+    const glm::ivec2 first_px = glm::ivec2(tile % tiles.x, tile / tiles.x) * tile_px;
+    const glm::ivec2 size_px = glm::min(tile_px, frame.size_px - first_px);
+    if (is_level) {
+      part->trace_upwards(first_px, size_px);
+    } else {
+      for (int left = 0; left < size_px.x; left += kTileWide_px)
+        part->trace_block({left, first_px.y},
+                          {std::min(kTileWide_px, size_px.x - left), size_px.y});
     }
-    tests += counts.tests;
-    nodes += counts.nodes;
+    tests += part->counts().tests;
+    nodes += part->counts().nodes;
   });
   return {.tests = tests, .nodes = nodes};
 }

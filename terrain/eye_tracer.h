@@ -18,12 +18,25 @@ namespace terrview {
 
 // Up to kMost rays: their directions in, their hits out.
 struct EyeRays {
-  static constexpr std::size_t kMost = 256;
-  using Values = std::array<double, kMost>;
+  static constexpr std::size_t kMost = 128;
+  // Not a power of two, so that the same element of many arrays has a place in a cache.
+  using Values = std::array<double, kMost + 8>;
 
   std::size_t count = 0;
   // Directions, view frame, of any length but 0.
   alignas(64) Values direction_x, direction_y, direction_z;
+
+  // Where rays follow others over the same ground lines, each at least as steep as the one before
+  // it (columns of a level picture, upwards): each is clear up to where the one before it ended.
+  // trace() keeps this; infinite: nothing is left to hit.
+  bool follows = false;
+  alignas(64) Values clear_m;
+
+  // The next rays follow those traced next; up to those, none has.
+  void begin_to_follow() {
+    follows = true;
+    clear_m.fill(0);
+  }
 
   // The ground lines' directions (unit length), and the rays' slopes dz / dg.
   alignas(64) Values x, y, slope;
@@ -48,10 +61,14 @@ struct EyeRays {
 // Finds the hits of `rays`. Any thread may call, with rays of its own. Adds to `counts`.
 void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts);
 
-// The unit normals of the facets hit, as Terrain::facet_normal() gives them.
-struct EyeNormals {
-  alignas(64) EyeRays::Values x, y, z;
+// What is seen along rays, as pictures keep it.
+struct EyeFacets {
+  alignas(64) EyeRays::Values distance_m;  // along the ray; infinite: a miss
+  alignas(
+      64) std::array<std::int32_t, EyeRays::kMost> cell;  // row * cells in a row + column; or -1
+  // The facet's unit normal, as Terrain::facet_normal() gives it; or 0.
+  alignas(64) std::array<float, EyeRays::kMost> x, y, z;
 };
-void facet_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals);
+void facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets);
 
 }  // namespace terrview
