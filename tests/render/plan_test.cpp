@@ -78,7 +78,7 @@ TEST(Plan, ShowsTheWaterOverLowGroundInItsOwnColour) {
   Scene scene = hills_scene();
   scene.light = {.sun = {0, 0, 0}, .ambient = {1, 1, 1}, .casts_shadows = false};
   const PlanFrame dry = render_plan(scene, {.size_px = {kPosts, kPosts}});
-  const double level_m = 40;
+  const double level_m = 280;
   scene.water = std::make_shared<const Water>(Water{.level_m = level_m});
   const PlanFrame wet = render_plan(scene, {.size_px = {kPosts, kPosts}});
   const HeightGrid& grid = *scene.terrain->layers().front().grid;
