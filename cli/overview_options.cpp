@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
+#include <limits>
+#include <numbers>
 
 #include "cli/add_option.h"
 #include "cli/command_line.h"
 #include "cli/output_options.h"
 #include "cli/prepare_view.h"
+#include "cli/view_ground.h"
 #include "cli/view_light_options.h"
 #include "ingest/feature_attributes.h"
 #include "terrain/error.h"
@@ -15,7 +17,7 @@
 namespace terrview {
 namespace {
 
-constexpr double kRadians = 3.14159265358979323846 / 180;
+constexpr double kRadians = std::numbers::pi / 180;
 // Of a map: from the upper left, and low enough to cast shadows that tell.
 constexpr SunPosition kMapSun{315 * kRadians, 40 * kRadians};
 constexpr int kSkyAzimuths = 32;
@@ -68,11 +70,11 @@ void add_map_options(CLI::App& app, OverviewOptions& options) {
       },
       "Of a map: the size of a pixel in the DEM's units (default: a post)")
       ->type_name("DX[,DY]");
-  auto* tiles = add_parsed(
-                    app, "--tiles",
-                    [&](const std::string& text) { options.tiles = parse_size(text); },
-                    "A map in so many sheets")
-                    ->type_name("CxR");
+  auto* tiles =
+      add_parsed(
+          app, "--tiles", [&](const std::string& text) { options.tiles = parse_size(text); },
+          "A map in so many sheets")
+          ->type_name("CxR");
   auto* size = add_parsed(
                    app, "--tile-size",
                    [&](const std::string& text) { options.tile_size_px = parse_size(text); },
@@ -88,7 +90,7 @@ void add_map_options(CLI::App& app, OverviewOptions& options) {
   size->excludes(sheets);
 }
 
-void add_output_options(CLI::App& app, ViewOptions& view) {
+void add_file_options(CLI::App& app, ViewOptions& view) {
   app.add_option("-o", view.output,
                  "Picture or map (default: the first DEM's name; of sheets NAME_{name}.tif)")
       ->type_name("FILE");
@@ -102,14 +104,13 @@ void add_output_options(CLI::App& app, ViewOptions& view) {
 
 // Options that were given for the other kind of overview.
 void check_kind(const CLI::App& app, bool plan) {
-  constexpr std::array kOfBlocks{"--from", "--tilt", "--size", "--ticks",
+  constexpr std::array kOfBlocks{"--from",  "--tilt", "--size", "--ticks",
                                  "--title", "--font", "--plain"};
   const auto refuse = [&](const char* name, const std::string& how) {
     if (app.count(name) > 0) throw InputError(std::string(name) + ": " + how);
   };
   if (plan)
-    for (const char* name : kOfBlocks)
-      refuse(name, "belongs to a block: leave it out of a map");
+    for (const char* name : kOfBlocks) refuse(name, "belongs to a block: leave it out of a map");
   else
     refuse("--resolution", "of a map: add --plan, or give --size");
 }
@@ -145,7 +146,8 @@ OverviewOptions parse_overview(const std::vector<std::string>& args) {
   add_number(app, "--z-scale", options.view.z_scale,
              "Multiply heights (default: by the relief; of a map 1)");
   add_light_options(app, options.view);
-  add_output_options(app, options.view);
+  add_ground_color_options(app, options.view);
+  add_file_options(app, options.view);
   app.parse_args(args);
   if (options.in_sheets()) options.plan = true;
   check_kind(app, options.plan);

@@ -22,7 +22,7 @@ constexpr const char* kUsage =
     "terrview: what can be seen of a landscape from a point on the Earth\n"
     "\n"
     "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
-    "  terrview overview DEM... [options] [-o OUT]                   the whole region; maps, sheets\n"
+    "  terrview overview DEM... [options] [-o OUT]                   a whole region\n"
     "  terrview info DEM... [--json]                                 what DEMs hold\n"
     "  terrview sky [--clouds 0..1] [--seed N] [-o OUT]              a sky, wood, marble\n"
     "  terrview synth [--relief plain|ridged|eroded] [-o OUT.tif]    a height grid\n"
@@ -33,12 +33,9 @@ constexpr const char* kUsage =
 using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
-  static const std::map<std::string, Command> kCommands{{"info", run_info},
-                                                        {"overview", run_overview},
-                                                        {"quantize", run_quantize},
-                                                        {"sky", run_sky},
-                                                        {"synth", run_synth},
-                                                        {"view", run_view}};
+  static const std::map<std::string, Command> kCommands{
+      {"info", run_info}, {"overview", run_overview}, {"quantize", run_quantize},
+      {"sky", run_sky},   {"synth", run_synth},       {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

@@ -22,9 +22,9 @@ namespace terrview {
 namespace {
 
 std::string driver_of(const std::string& path, const std::string& format) {
-  static const std::map<std::string, std::string> kDrivers{{"tif", "GTiff"},   {"tiff", "GTiff"},
-                                                           {"gtiff", "GTiff"}, {"cog", "COG"}, {"png", "PNG"},
-                                                           {"jpg", "JPEG"},    {"jpeg", "JPEG"}};
+  static const std::map<std::string, std::string> kDrivers{
+      {"tif", "GTiff"}, {"tiff", "GTiff"}, {"gtiff", "GTiff"}, {"cog", "COG"},
+      {"png", "PNG"},   {"jpg", "JPEG"},   {"jpeg", "JPEG"}};
   std::string name = format;
   if (name.empty()) {
     name = std::filesystem::path(path).extension().string();

@@ -48,9 +48,10 @@ std::pair<double, double> distances_between(const Ray& ray, double low_z_m, doub
     const bool within = ray.origin_m.z >= low_z_m && ray.origin_m.z <= high_z_m;
     return {0, within ? ray.length_m : -1};
   }
-  const auto [near_m, far_m] = std::minmax((low_z_m - ray.origin_m.z) / slope,
-                                           (high_z_m - ray.origin_m.z) / slope);
-  return {std::max(0.0, near_m), std::min(ray.length_m, far_m)};
+  const double to_low_m = (low_z_m - ray.origin_m.z) / slope;
+  const double to_high_m = (high_z_m - ray.origin_m.z) / slope;
+  return {std::max(0.0, std::min(to_low_m, to_high_m)),
+          std::min(ray.length_m, std::max(to_low_m, to_high_m))};
 }
 
 }  // namespace
@@ -95,9 +96,8 @@ class BlockWalls::Crossing {
       return std::nullopt;
     const glm::ivec2 from = cell_beside(axis_, line_, place);
     const glm::ivec2 to = cell_beside(axis_, line_, place + 1);
-    const double height_m =
-        glm::mix(double{grid_.at(from.x, from.y)}, double{grid_.at(to.x, to.y)},
-                 std::clamp(along, 0.0, 1.0));
+    const double height_m = glm::mix(double{grid_.at(from.x, from.y)}, double{grid_.at(to.x, to.y)},
+                                     std::clamp(along, 0.0, 1.0));
     const VerticalFrame& frame = block_.terrain_->frame();
     const double below_m = frame.z_scale * height_m - frame.eye_height_m - position_m_.z;
     const double over_plinth_m = position_m_.z - block_.plinth_z_m_;

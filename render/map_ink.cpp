@@ -52,8 +52,7 @@ void ink_polygon(std::span<const glm::dvec2> corners_px, const glm::vec3& color,
     high = glm::max(high, corner);
   }
   const glm::ivec2 first(glm::max(glm::floor(low), glm::dvec2(0)));
-  const glm::ivec2 end(
-      glm::min(glm::ceil(high), glm::dvec2(image.width_px(), image.height_px())));
+  const glm::ivec2 end(glm::min(glm::ceil(high), glm::dvec2(image.width_px(), image.height_px())));
   for (int row = first.y; row < end.y; ++row) {
     for (int column = first.x; column < end.x; ++column) {
       const glm::ivec2 pixel(column, row);

@@ -135,7 +135,8 @@ class PlanPicture {
       meet_water(scene_, found.rays, found.hits);
       meet_objects(scene_, found.rays, found.hits, counts.objects);
       ShadowCounts shadows;
-      const std::vector<ShadedRay> shaded = shade(scene_, {pixel_}, found.rays, found.hits, shadows);
+      const std::vector<ShadedRay> shaded =
+          shade(scene_, {pixel_}, found.rays, found.hits, shadows);
       for (std::size_t i = 0; i < shaded.size(); ++i) {
         const int column = found.columns[i];
         frame_.image.at(column, row) += shaded[i].color;
