@@ -21,9 +21,9 @@ constexpr double kRadians = std::numbers::pi / 180;
 // Of a map: from the upper left, and low enough to cast shadows that tell.
 constexpr SunPosition kMapSun{315 * kRadians, 40 * kRadians};
 constexpr int kSkyAzimuths = 32;
-// Of a block: from the left, and a little from behind the eye, so that both walls are lit.
-constexpr double kBlockSun_deg = 110;
-constexpr double kBlockSunHeight_deg = 38;
+// Of a block: from behind the eye on the left, so that the walls it sees are lit.
+constexpr double kBlockSun_deg = 40;
+constexpr double kBlockSunHeight_deg = 35;
 constexpr double kFlattest_deg = 5;
 
 double parse_side(const std::string& text) {
@@ -127,8 +127,8 @@ void set_defaults(OverviewOptions& options) {
     return;
   }
   if (open)
-    light.sun = SunPosition{(options.from_deg + kBlockSun_deg - 45) * kRadians,
-                            kBlockSunHeight_deg * kRadians};
+    light.sun =
+        SunPosition{(options.from_deg + kBlockSun_deg) * kRadians, kBlockSunHeight_deg * kRadians};
   view.earth = EarthModel::flat;
   view.sky.none = true;
   view.air.visibility_km = std::numeric_limits<double>::infinity();
