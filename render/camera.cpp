@@ -135,7 +135,7 @@ Ray Camera::ray(glm::dvec2 image_px) const {
   return {};
 }
 
-void Camera::aim_row(glm::dvec2 first_px, const Directions& directions) const {
+void Camera::aim_row(glm::dvec2 first_px, const DirectionSpans& directions) const {
   const std::size_t count = directions.x.size();
   if (options_.projection != Projection::perspective) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -147,15 +147,13 @@ void Camera::aim_row(glm::dvec2 first_px, const Directions& directions) const {
     return;
   }
   // Sums in the order of ray().
-  const glm::dvec3 above = up_ * ((middle_px_.y - first_px.y) * per_px_);
-  const auto put = [&](std::span<double> values, double forward, double right, double up) {
-    for (std::size_t i = 0; i < count; ++i)
-      values[i] =
-          (forward + right * ((first_px.x + static_cast<int>(i) - middle_px_.x) * per_px_)) + up;
-  };
-  put(directions.x, forward_.x, right_.x, above.x);
-  put(directions.y, forward_.y, right_.y, above.y);
-  put(directions.z, forward_.z, right_.z, above.z);
+  lay({.first = forward_,
+       .right = right_,
+       .above = up_ * ((middle_px_.y - first_px.y) * per_px_),
+       .from = first_px.x,
+       .middle = middle_px_.x,
+       .step = per_px_},
+      directions);
 }
 
 std::optional<glm::dvec2> Camera::project(const glm::dvec3& point_m) const {

@@ -20,6 +20,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "terrain/direction_row.h"
 #include "terrain/ray.h"
 
 namespace terrview {
@@ -64,10 +65,7 @@ class Camera {
 
   // The directions of the rays through the points first_px, first_px + (1, 0), ..., as many as x, y
   // and z have room for, which must be alike.
-  struct Directions {
-    std::span<double> x, y, z;
-  };
-  void aim_row(glm::dvec2 first_px, const Directions& directions) const;
+  void aim_row(glm::dvec2 first_px, const DirectionSpans& directions) const;
 
   // Where a point of the view frame falls on the image; nullopt behind the camera.
   [[nodiscard]] std::optional<glm::dvec2> project(const glm::dvec3& point_m) const;

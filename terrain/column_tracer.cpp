@@ -79,7 +79,7 @@ class ColumnLoop {
     // Lanes whose last span was ground; where a lane enters the grid its rays below are dropped.
     std::uint32_t on_ground = walk_.active();
     while (walk_.active() != 0) {
-      const NextCrossing next = grid_.next_crossing(r);
+      const NextCrossing next = grid_.next_crossing(r, grid_.corners(r));
       const std::uint32_t ground = bits_of(next.has_ground);
       if (settle_rare(r, next, ground, on_ground)) continue;
       on_ground = ground;

@@ -48,7 +48,7 @@ int wedges_a_side(double wedge_rad) {
 
 // The bin of a slope; continuous, before rounding down.
 double start_bin(double slope) {
-  return (slope / (1 + std::abs(slope)) + 1) * (EyeFront::kStartBins / 2);
+  return (slope / (EyeFront::kHalfwaySlope + std::abs(slope)) + 1) * (EyeFront::kStartBins / 2);
 }
 
 int bin_of(double slope) {
@@ -62,7 +62,7 @@ const std::array<float, EyeFront::kStartBins>& inverse_bin_slopes() {
     std::array<float, EyeFront::kStartBins> values{};
     for (std::size_t bin = 0; bin < values.size(); ++bin) {
       const double q = static_cast<double>(bin) / (EyeFront::kStartBins / 2) - 1;
-      values[bin] = static_cast<float>((1 - std::abs(q)) / q);
+      values[bin] = static_cast<float>((1 - std::abs(q)) / (EyeFront::kHalfwaySlope * q));
     }
     return values;
   }();

@@ -33,9 +33,11 @@ struct EyeFrontOptions {
 
 class EyeFront {
  public:
-  static constexpr int kGroup = 16;        // wedges made at a time
-  static constexpr int kStride = 8;        // rings a step of the coarse search
-  static constexpr int kStartBins = 4096;  // of slopes, by slope / (1 + |slope|) from -1 to 1
+  static constexpr int kGroup = 16;  // wedges made at a time
+  static constexpr int kStride = 8;  // rings a step of the coarse search
+  // Of slopes, by slope / (kHalfwaySlope + |slope|) from -1 to 1.
+  static constexpr int kStartBins = 2048;
+  static constexpr double kHalfwaySlope = 0.25;
 
   // Whether a front can be made: one layer under an affine map or one with EyeTracks, with
   // ceilings, the hyperboloid

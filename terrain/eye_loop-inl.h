@@ -37,30 +37,47 @@ class EyeLoop {
         walk_(front.terrain(), set, front.step_back_m()) {}
 
   std::int64_t run() {
-    constexpr int kFirstSteps = 2;
     constexpr int kSteps = 4;
-    const std::size_t lanes = hn::Lanes(D());
-    for (std::size_t i = 0; i < set_.count; i += lanes) place(i);
-    for (std::size_t i = 0; i < set_.count; i += lanes) step<true>(i);
-    for (int j = 1; j < kFirstSteps; ++j)
-      for (std::size_t i = 0; i < set_.count; i += lanes) step<false>(i);
-    pack();
+    pass([&](std::size_t i, std::uint32_t lanes) HWY_ATTR { return begin(i, lanes); });
     while (set_.count > 0) {
-      for (std::size_t i = 0; i < set_.count; i += lanes) look_ahead(i);
       for (int j = 0; j < kSteps; ++j)
-        for (std::size_t i = 0; i < set_.count; i += lanes) step<false>(i);
-      pack();
+        pass([&](std::size_t i, std::uint32_t lanes) HWY_ATTR { return step(i, lanes); });
+      pass([&](std::size_t i, std::uint32_t lanes) HWY_ATTR { return look_ahead(i, lanes); });
     }
     return tests_;
   }
 
  private:
-  HWY_INLINE std::uint8_t& walking(std::size_t first) {
-    return set_.walking[first / hn::Lanes(D())];
+  // Takes each vector of rays, and moves those that go on to the front of the set.
+  template <class Take>
+  HWY_INLINE void pass(const Take& take) {
+    std::size_t kept = 0;
+    for (std::size_t first = 0; first < set_.count; first += hn::Lanes(D())) {
+      const std::uint32_t lanes = (1U << std::min(hn::Lanes(D()), set_.count - first)) - 1;
+      const std::uint32_t left = take(first, lanes);
+      if (left == 0) continue;
+      if (left != lanes || kept != first) move(first, left, kept);
+      kept += static_cast<std::size_t>(__builtin_popcount(left));
+    }
+    set_.count = kept;
   }
 
-  HWY_INLINE std::uint32_t lanes_from(std::size_t first) const {
-    return (1U << std::min(hn::Lanes(D()), set_.count - first)) - 1;
+  HWY_INLINE void move(std::size_t first, std::uint32_t lanes, std::size_t to) {
+    const auto order = hn::IndicesFromVec(D(), set_lanes(lanes));
+    const auto take = [&](EyeRays::Values& values) HWY_ATTR {
+      hn::StoreU(hn::TableLookupLanes(load(values, first), order), D(), values.data() + to);
+    };
+    for (EyeRays::Values* values : set_.walks()) take(*values);
+    if constexpr (kBent)
+      for (EyeRays::Values* values : set_.pieces()) take(*values);
+  }
+
+  // The numbers of the lanes, lowest first.
+  static HWY_INLINE auto set_lanes(std::uint32_t lanes) {
+    const hn::Rebind<std::uint8_t, D> bytes;
+    const hn::Rebind<std::int32_t, D> ints;
+    const hn::Rebind<std::int64_t, D> longs;
+    return hn::PromoteTo(longs, hn::PromoteTo(ints, hn::LoadU(bytes, kSetBits[lanes].data())));
   }
 
   HWY_INLINE void rescue(std::size_t first, std::uint32_t lanes) {
@@ -70,8 +87,9 @@ class EyeLoop {
     }
   }
 
-  // Finds the first cells of rays first, first + 1, ..., which are those of EyeRays in order.
-  HWY_INLINE void place(std::size_t first) {
+  // Takes rays first, first + 1, ..., which are those of EyeRays in order, through the first cells
+  // that they need look at.
+  HWY_INLINE std::uint32_t begin(std::size_t first, std::uint32_t lanes) {
     save(rays_.ground_m, first, of(-1));
     const V rise = hn::Abs(load(rays_.direction_z, first));
     const V across_x = load(rays_.direction_x, first);
@@ -80,23 +98,31 @@ class EyeLoop {
     const M slanted = across_x * across_x + across_y * across_y > of(4e-24) * rise * rise;
     const V start_m = search_.start_m(load(set_.start, first));
     const M meets = start_m < hn::Inf(D());
-    const M settled = walk_.settle(first, hn::IfThenElseZero(meets, start_m), meets);
-    const std::uint32_t lanes = lanes_from(first);
-    const std::uint32_t lost =
-        (lanes & ~bits_of(slanted)) | (lanes & bits_of(hn::AndNot(settled, meets)));
+    std::uint32_t lost = lanes & ~bits_of(slanted);
+    std::uint32_t active = lanes & bits_of(meets) & ~lost;
+    if ((active | lost) == 0) return 0;
+    Registers r = walk_.lines(first);
+    const auto [corners, settled] =
+        walk_.settle(r, first, hn::IfThenElseZero(meets, start_m), meets);
+    lost |= active & ~bits_of(settled);
     rescue(first, lost);
-    walking(first) = static_cast<std::uint8_t>(lanes & bits_of(meets) & ~lost);
+    if constexpr (kBent) walk_.keep_pieces(r, first);
+    return cross<true>(r, corners, active & ~lost, first);
   }
 
-  // One crossing of rays first, first + 1, ... Without branches on what they meet: which lanes are
-  // settled can't be foreseen. In the first step the set's order is that of EyeRays.
-  template <bool kFirst>
-  HWY_INLINE void step(std::size_t first) {
-    std::uint32_t active = walking(first);
-    if (active == 0) return;
+  HWY_INLINE std::uint32_t step(std::size_t first, std::uint32_t lanes) {
     Registers r = walk_.at(first);
-    park(r, active);
-    const NextCrossing next = walk_.grid().next_crossing(r);
+    park(r, lanes);
+    return cross<false>(r, walk_.grid().corners(r), lanes, first);
+  }
+
+  // One cell of rays first, first + 1, ...; returns the lanes that go on. Without branches on what
+  // they meet: which lanes are settled can't be foreseen. In the first cells the set's order is
+  // that of EyeRays.
+  template <bool kFirst>
+  HWY_INLINE std::uint32_t cross(Registers& r, const Corners& corners, std::uint32_t active,
+                                 std::size_t first) {
+    const NextCrossing next = walk_.grid().next_crossing(r, corners);
     const V in = r.slope * r.g - r.z;
     const V out = r.slope * next.g - next.z;
     const std::uint32_t ground = bits_of(next.has_ground) & active;
@@ -113,19 +139,20 @@ class EyeLoop {
     } else {
       record(met, hit, first);
     }
+    active &= ~(hit | lost);
     const Registers here = r;
     advance(r, next);
     if constexpr (kBent) walk_.choose(r, mask_of(cut), here);
-    const std::uint32_t outside = ~bits_of(walk_.grid().is_inside(r)) & active & ~(hit | lost);
-    active &= ~(hit | lost | outside);
+    const std::uint32_t outside = ~bits_of(walk_.grid().is_inside(r)) & active;
+    active &= ~outside;
     walk_.keep(r, first);
     if constexpr (kBent) {
       lost |= outside & walk_.returning(first, outside);
       for (std::uint32_t left = cut & active; left != 0; left &= left - 1)
         walk_.next_piece(first + static_cast<std::size_t>(__builtin_ctz(left)));
     }
-    walking(first) = static_cast<std::uint8_t>(active);
     rescue(first, lost);
+    return active;
   }
 
   HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V share) const {
@@ -163,47 +190,36 @@ class EyeLoop {
     }
   }
 
-  void move(std::size_t from, std::size_t to) {
-    set_.move(from, to);
-    if constexpr (kBent) set_.move_piece(from, to);
-  }
-
-  // Moves the rays that walk to the front of the set.
-  void pack() {
-    std::size_t kept = 0;
-    for (std::size_t first = 0; first < set_.count; first += hn::Lanes(D()))
-      for (std::uint32_t left = walking(first); left != 0; left &= left - 1)
-        move(first + static_cast<std::size_t>(__builtin_ctz(left)), kept++);
-    set_.count = kept;
-    // Lanes past the last ray are computed all the same.
-    for (std::size_t i = kept; i % kVectorLanes != 0; ++i) move(kept - 1, i);
-    for (std::size_t first = 0; first < kept; first += hn::Lanes(D()))
-      walking(first) = static_cast<std::uint8_t>(lanes_from(first));
-  }
-
   // Takes rays over the sectors that they clear; those that clear all there are have missed.
-  HWY_INLINE void look_ahead(std::size_t first) {
-    const std::uint32_t lanes = lanes_from(first);
-    const V g = load(set_.g, first);
-    const V slope = load(set_.slope, first);
-    const V wedge = hn::Floor(load(set_.start, first) * of(1.0 / EyeFront::kStartBins));
-    const V here = ring_of(first);
-    const FrontSearch::Place there = search_.next(here, slope, wedge, lanes);
-    walking(first) = static_cast<std::uint8_t>(lanes & ~bits_of(search_.is_none(there.ring)));
+  HWY_INLINE std::uint32_t look_ahead(std::size_t first, std::uint32_t lanes) {
+    Registers r = walk_.at(first);
+    // Past the last ray lie those of before.
+    const M held = mask_of(lanes);
+    const V g = hn::IfThenElseZero(held, r.g);
+    const V start = hn::IfThenElseZero(held, load(set_.start, first));
+    const V wedge = hn::Floor(start * of(1.0 / EyeFront::kStartBins));
+    const V here = ring_of(g);
+    const FrontSearch::Place there = search_.next(here, r.slope, wedge, lanes);
+    std::uint32_t active = lanes & ~bits_of(search_.is_none(there.ring));
     // A leap may settle a little before its end, and must go forward all the same.
     const M far = there.start_m > g + of(kBent ? 2 * front_.step_back_m() : 0);
-    const M leaps = hn::And(there.ring > here, far);
-    if ((bits_of(leaps) & walking(first)) == 0) return;
-    const M settled = walk_.settle(first, there.start_m, leaps);
-    const std::uint32_t lost = walking(first) & bits_of(hn::AndNot(settled, leaps));
-    rescue(first, lost);
-    walking(first) = static_cast<std::uint8_t>(walking(first) & ~lost);
+    const M leaps = hn::And(hn::And(there.ring > here, far), mask_of(active));
+    if (bits_of(leaps) != 0) {
+      const M settled = walk_.settle(r, first, there.start_m, leaps).settled;
+      const std::uint32_t lost = active & bits_of(hn::AndNot(settled, leaps));
+      rescue(first, lost);
+      active &= ~lost;
+      walk_.keep(r, first);
+      if constexpr (kBent) walk_.keep_pieces(r, first);
+    }
+    return active;
   }
 
-  HWY_INLINE V ring_of(std::size_t first) const {
+  HWY_INLINE V ring_of(V g) const {
     alignas(64) std::array<double, kVectorLanes> rings;
+    hn::Store(g, D(), rings.data());
     for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
-      rings[lane] = front_.ring_of(set_.g[first + lane]);
+      rings[lane] = front_.ring_of(rings[lane]);
     return hn::Load(D(), rings.data());
   }
 

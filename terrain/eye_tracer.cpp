@@ -36,13 +36,27 @@ HWY_INLINE V sectors_of(V x, V y, int a_side) {
   return hn::IfThenElseZero(place >= of(0), sector);
 }
 
+// Makes groups of wedges of a front; `made` is the last one that is known to be.
+HWY_INLINE void make_groups(const EyeFront& front, V groups, double& made) {
+  if (hn::AllTrue(D(), groups == of(made))) return;
+  alignas(64) std::array<double, kVectorLanes> lanes;
+  hn::Store(groups, D(), lanes.data());
+  for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) {
+    if (lanes[lane] == made) continue;
+    made = lanes[lane];
+    front.make(static_cast<int>(made));
+  }
+}
+
 // Ground lines and slopes, as ground_line() and ray_slope() find them; straight tracks, as
-// track_piece(); and the places in the front's starts.
+// track_piece(); and the places in the front's starts, which are made.
 void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
   const GroundMap& map = *front.terrain().layers()[0].map;
   const glm::dmat2* jacobian = map.linear();
   const EyeTracks* tracks = map.eye_tracks();
   set.count = rays.count;
+  const V steps = hn::Iota(D(), 0);
+  double made = -1;
   for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
     const VectorLine line =
         line_under(load(rays.direction_x, i), load(rays.direction_y, i), load(rays.direction_z, i));
@@ -50,7 +64,7 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
     save(rays.x, i, x);
     save(rays.y, i, y);
     save(rays.slope, i, slope);
-    save(set.index, i, hn::Iota(D(), static_cast<double>(i)));
+    save(set.index, i, of(static_cast<double>(i)) + steps);
     save(set.x, i, x);
     save(set.y, i, y);
     save(set.slope, i, slope);
@@ -63,13 +77,14 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
     } else {
       save(set.sector, i, sectors_of(x, y, tracks->sectors_a_side()));
     }
-    const V bin =
-        hn::Floor((slope / (of(1) + hn::Abs(slope)) + of(1)) * of(EyeFront::kStartBins / 2));
+    const V bin = hn::Floor((slope / (of(EyeFront::kHalfwaySlope) + hn::Abs(slope)) + of(1)) *
+                            of(EyeFront::kStartBins / 2));
     const V first_bin = of(front.first_bin());
     const V known_bin =
         hn::IfThenElse(bin >= first_bin, hn::Min(bin, of(front.last_bin())), first_bin);
     const V wedge = sectors_of(x, y, front.wedges_a_side());
     save(set.start, i, wedge * of(EyeFront::kStartBins) + known_bin);
+    make_groups(front, hn::Floor(wedge * of(1.0 / EyeFront::kGroup)), made);
   }
 }
 
@@ -79,32 +94,41 @@ std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RaySet& set, Res
   return EyeLoop<true>(front, rays, set, rescues).run();
 }
 
-void affine_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals) {
+template <class Value>
+HWY_INLINE void save(std::array<Value, EyeRays::kMost>& values, std::size_t first, V value) {
+  const hn::Rebind<Value, D> d;
+  hn::Store(hn::DemoteTo(d, value), d, values.data() + first);
+}
+
+void affine_facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets) {
   const HeightGrid& grid = *terrain.layers()[0].grid;
   const glm::dmat2 jacobian = *terrain.layers()[0].map->linear();
   const VectorPosts posts(grid);
   const V columns = of(grid.columns);
   const V z_scale = of(terrain.frame().z_scale);
   for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
-    const M hit = load(rays.ground_m, i) >= of(0);
+    const V g = load(rays.ground_m, i);
+    const M hit = g >= of(0);
     const V column = hn::IfThenElseZero(hit, load(rays.column, i));
     const V row = hn::IfThenElseZero(hit, load(rays.row, i));
     const V f_u = hn::Min(hn::Max(load(rays.u, i) - column, of(0)), of(1));
     const V f_v = hn::Min(hn::Max(load(rays.v, i) - row, of(0)), of(1));
-    const V post = row * columns + column;
-    const V nw = posts.at(post);
-    const V ne = posts.at(post + of(1));
-    const V sw = posts.at(post + columns);
-    const V se = posts.at(post + columns + of(1));
+    const auto [nw, ne, sw, se] = posts.corners(row * columns + column);
     // glm::mix(x, y, a) = x * (1 - a) + y * a.
     const V g_u = (ne - nw) * (of(1) - f_v) + (se - sw) * f_v;
     const V g_v = (sw - nw) * (of(1) - f_u) + (se - ne) * f_u;
     const V slope_x = z_scale * (of(jacobian[0][0]) * g_u + of(jacobian[0][1]) * g_v);
     const V slope_y = z_scale * (of(jacobian[1][0]) * g_u + of(jacobian[1][1]) * g_v);
     const V inverse = of(1) / hn::Sqrt(slope_x * slope_x + slope_y * slope_y + of(1));
-    save(normals.x, i, hn::Neg(slope_x) * inverse);
-    save(normals.y, i, hn::Neg(slope_y) * inverse);
-    save(normals.z, i, inverse);
+    save(facets.x, i, hn::IfThenElseZero(hit, hn::Neg(slope_x) * inverse));
+    save(facets.y, i, hn::IfThenElseZero(hit, hn::Neg(slope_y) * inverse));
+    save(facets.z, i, hn::IfThenElseZero(hit, inverse));
+    const V cell = row * (columns - of(1)) + column;
+    save(facets.cell, i, hn::IfThenElse(hit, cell, of(-1)));
+    const V slope = load(rays.slope, i);
+    const V along = hn::Sqrt(of(1) + slope * slope);
+    const V distance = hn::IfThenElse(hn::Abs(slope) < hn::Inf(D()), g * along, g);
+    save(facets.distance_m, i, hn::IfThenElse(hit, distance, hn::Inf(D())));
   }
 }
 
@@ -117,7 +141,7 @@ namespace terrview {
 
 HWY_EXPORT(prepare_rays);
 HWY_EXPORT(run_eye_loop);
-HWY_EXPORT(affine_normals);
+HWY_EXPORT(affine_facets);
 
 namespace {
 
@@ -128,16 +152,6 @@ void pad(EyeRays& rays) {
     rays.direction_x[i] = rays.direction_x[0];
     rays.direction_y[i] = rays.direction_y[0];
     rays.direction_z[i] = rays.direction_z[0];
-  }
-}
-
-void make_front(const EyeFront& front, const RaySet& set) {
-  int made = -1;
-  for (std::size_t i = 0; i < set.count; ++i) {
-    const int group = static_cast<int>(set.start[i]) / (EyeFront::kStartBins * EyeFront::kGroup);
-    if (group == made) continue;
-    front.make(group);
-    made = group;
   }
 }
 
@@ -161,7 +175,6 @@ void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
   pad(rays);
   RaySet set;
   HWY_DYNAMIC_DISPATCH(prepare_rays)(front, rays, set);
-  make_front(front, set);
   RescueList rescues;
   counts.tests += HWY_DYNAMIC_DISPATCH(run_eye_loop)(front, rays, set, rescues);
   const Terrain& terrain = front.terrain();
@@ -183,17 +196,21 @@ void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
   }
 }
 
-void facet_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals) {
+void facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets) {
   if (terrain.layers()[0].map->linear()) {
-    if (rays.count > 0) HWY_DYNAMIC_DISPATCH(affine_normals)(terrain, rays, normals);
+    if (rays.count > 0) HWY_DYNAMIC_DISPATCH(affine_facets)(terrain, rays, facets);
     return;
   }
+  const int cells_in_row = terrain.layers()[0].grid->columns - 1;
   for (std::size_t i = 0; i < rays.count; ++i) {
-    if (!rays.is_hit(i)) continue;
-    const glm::dvec3 normal = terrain.facet_normal(rays.hit(i));
-    normals.x[i] = normal.x;
-    normals.y[i] = normal.y;
-    normals.z[i] = normal.z;
+    const bool is_hit = rays.is_hit(i);
+    const glm::dvec3 normal = is_hit ? terrain.facet_normal(rays.hit(i)) : glm::dvec3(0);
+    facets.x[i] = static_cast<float>(normal.x);
+    facets.y[i] = static_cast<float>(normal.y);
+    facets.z[i] = static_cast<float>(normal.z);
+    const double cell = is_hit ? rays.row[i] * cells_in_row + rays.column[i] : -1;
+    facets.cell[i] = static_cast<std::int32_t>(cell);
+    facets.distance_m[i] = is_hit ? rays.distance_m(i) : std::numeric_limits<double>::infinity();
   }
 }
 

@@ -18,8 +18,9 @@ namespace terrview {
 
 // Up to kMost rays: their directions in, their hits out.
 struct EyeRays {
-  static constexpr std::size_t kMost = 256;
-  using Values = std::array<double, kMost>;
+  static constexpr std::size_t kMost = 128;
+  // Not a power of two, so that the same element of many arrays has a place in a cache.
+  using Values = std::array<double, kMost + 8>;
 
   std::size_t count = 0;
   // Directions, view frame, of any length but 0.
@@ -48,10 +49,14 @@ struct EyeRays {
 // Finds the hits of `rays`. Any thread may call, with rays of its own. Adds to `counts`.
 void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts);
 
-// The unit normals of the facets hit, as Terrain::facet_normal() gives them.
-struct EyeNormals {
-  alignas(64) EyeRays::Values x, y, z;
+// What is seen along rays, as pictures keep it.
+struct EyeFacets {
+  alignas(64) EyeRays::Values distance_m;  // along the ray; infinite: a miss
+  alignas(
+      64) std::array<std::int32_t, EyeRays::kMost> cell;  // row * cells in a row + column; or -1
+  // The facet's unit normal, as Terrain::facet_normal() gives it; or 0.
+  alignas(64) std::array<float, EyeRays::kMost> x, y, z;
 };
-void facet_normals(const Terrain& terrain, const EyeRays& rays, EyeNormals& normals);
+void facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets);
 
 }  // namespace terrview

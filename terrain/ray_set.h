@@ -9,6 +9,16 @@
 
 namespace terrview {
 
+// By byte, the places of its bits, lowest first; hn::Compress of Highway 1.0 looks them up in a
+// table that it copies to the stack at every call.
+inline constexpr auto kSetBits = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> places{};
+  for (unsigned byte = 0; byte < 256; ++byte)
+    for (std::uint8_t bit = 0, count = 0; bit < 8; ++bit)
+      if ((byte >> bit & 1U) != 0) places[byte][count++] = bit;
+  return places;
+}();
+
 // Rays on their way, packed: what a step needs of each.
 struct alignas(64) RaySet {
   using Values = EyeRays::Values;
@@ -21,18 +31,14 @@ struct alignas(64) RaySet {
   alignas(64) Values start;  // its place in EyeFront's starts
   // Where the walk stands.
   alignas(64) Values column, row, g, u, v, z;
-  // By vector: the lanes that walk.
-  std::array<std::uint8_t, EyeRays::kMost> walking;
 
-  void move(std::size_t from, std::size_t to) {
-    for (Values* values : {&index, &x, &y, &slope, &rate_u, &rate_v, &metres_u, &metres_v, &start,
-                           &column, &row, &g, &u, &v, &z})
-      (*values)[to] = (*values)[from];
+  // What there is of each ray; and what more where tracks bend.
+  [[nodiscard]] std::array<Values*, 15> walks() {
+    return {&index, &x,      &y,   &slope, &rate_u, &rate_v, &metres_u, &metres_v,
+            &start, &column, &row, &g,     &u,      &v,      &z};
   }
-
-  void move_piece(std::size_t from, std::size_t to) {
-    for (Values* values : {&sector, &begin, &end, &start_u, &start_v})
-      (*values)[to] = (*values)[from];
+  [[nodiscard]] std::array<Values*, 5> pieces() {
+    return {&sector, &begin, &end, &start_u, &start_v};
   }
 };
 

@@ -55,10 +55,39 @@ class SetWalk {
 
   [[nodiscard]] const VectorGrid& grid() const { return grid_; }
 
+  // Rays first, first + 1, ... of the set before their walks.
+  HWY_INLINE Registers lines(std::size_t first) const {
+    Registers r;
+    r.x = load(set_.x, first);
+    r.y = load(set_.y, first);
+    r.slope = load(set_.slope, first);
+    r.rate_u = load(set_.rate_u, first);
+    r.rate_v = load(set_.rate_v, first);
+    r.metres_u = load(set_.metres_u, first);
+    r.metres_v = load(set_.metres_v, first);
+    r.begin = of(0);
+    r.end = of(terrain_.reach_m());
+    r.start_u = of(eye_u_);
+    r.start_v = of(eye_v_);
+    r.column = r.row = r.g = r.u = r.v = r.z = of(0);
+    return r;
+  }
+
   // The walk as it stands at rays first, first + 1, ... of the set.
   HWY_INLINE Registers at(std::size_t first) const {
-    Registers r = ray_lines(first);
-    load_walk(r, first);
+    Registers r = lines(first);
+    if constexpr (kBent) {
+      r.begin = load(set_.begin, first);
+      r.end = load(set_.end, first);
+      r.start_u = load(set_.start_u, first);
+      r.start_v = load(set_.start_v, first);
+    }
+    r.column = load(set_.column, first);
+    r.row = load(set_.row, first);
+    r.g = load(set_.g, first);
+    r.u = load(set_.u, first);
+    r.v = load(set_.v, first);
+    r.z = load(set_.z, first);
     return r;
   }
 
@@ -71,31 +100,51 @@ class SetWalk {
     save(set_.z, first, r.z);
   }
 
-  // Puts the wanted lanes into the cells where they are at a distance, or a little before. Those
-  // returned are there as the single ray's walk is.
-  HWY_INLINE M settle(std::size_t first, V start_m, M wanted) {
-    if constexpr (kBent) load_pieces(first, start_m, wanted);
-    Registers r = ray_lines(first);
-    const M seated = seat(r, start_m);
-    M settled = hn::And(seated, enter(r));
+  // Where tracks bend, after settling.
+  HWY_INLINE void keep_pieces(const Registers& r, std::size_t first) {
+    save(set_.begin, first, r.begin);
+    save(set_.end, first, r.end);
+    save(set_.start_u, first, r.start_u);
+    save(set_.start_v, first, r.start_v);
+    save(set_.rate_u, first, r.rate_u);
+    save(set_.rate_v, first, r.rate_v);
+    save(set_.metres_u, first, r.metres_u);
+    save(set_.metres_v, first, r.metres_v);
+  }
+
+  // Walks in their cells. Those `settled` are there as the single ray's walk is.
+  struct Entry {
+    Corners corners;
+    M settled;
+  };
+
+  // Puts the wanted lanes of rays first, first + 1, ... into the cells where they are at a
+  // distance, or a little before.
+  HWY_INLINE Entry settle(Registers& r, std::size_t first, V start_m, M wanted) const {
+    Registers to = r;
+    if constexpr (kBent) load_pieces(to, first, start_m);
+    M seated = seat(to, start_m);
+    Entry entry = enter(to);
+    entry.settled = hn::And(entry.settled, seated);
     if constexpr (kBent) {
       // A cell that was entered on the piece before is too late to begin with.
-      const M early = hn::And(hn::And(wanted, seated), hn::And(hn::Not(settled), r.begin > of(0)));
+      const M early =
+          hn::And(hn::And(wanted, seated), hn::And(hn::Not(entry.settled), to.begin > of(0)));
       if (bits_of(early) != 0) {
-        const V before_m = hn::Max(r.begin - of(step_back_m_), of(0));
-        load_pieces(first, before_m, early);
-        Registers back = ray_lines(first);
-        const M back_seated = seat(back, before_m);
-        const M back_settled = hn::And(back_seated, enter(back));
-        settled = hn::Or(settled, hn::And(early, back_settled));
-        choose(r, early, back);
+        Registers back = r;
+        const V before_m = hn::Max(to.begin - of(step_back_m_), of(0));
+        load_pieces(back, first, before_m);
+        seated = seat(back, before_m);
+        const Entry earlier = enter(back);
+        entry.settled = hn::Or(entry.settled, hn::And(early, hn::And(earlier.settled, seated)));
+        choose_piece(to, early, back);
+        choose(to, early, back);
+        entry.corners = grid_.corners(to);
       }
+      choose_piece(r, wanted, to);
     }
-    Registers old = r;
-    load_walk(old, first);
-    choose(old, wanted, r);
-    keep(old, first);
-    return settled;
+    choose(r, wanted, to);
+    return entry;
   }
 
   // Takes the walk of `other` where `mask`.
@@ -129,32 +178,19 @@ class SetWalk {
   }
 
  private:
-  // Lines and tracks.
-  HWY_INLINE Registers ray_lines(std::size_t first) const {
-    Registers r;
-    r.x = load(set_.x, first);
-    r.y = load(set_.y, first);
-    r.slope = load(set_.slope, first);
-    r.rate_u = load(set_.rate_u, first);
-    r.rate_v = load(set_.rate_v, first);
-    r.metres_u = load(set_.metres_u, first);
-    r.metres_v = load(set_.metres_v, first);
-    if constexpr (kBent) {
-      r.begin = load(set_.begin, first);
-      r.end = load(set_.end, first);
-      r.start_u = load(set_.start_u, first);
-      r.start_v = load(set_.start_v, first);
-    } else {
-      r.begin = of(0);
-      r.end = of(terrain_.reach_m());
-      r.start_u = of(eye_u_);
-      r.start_v = of(eye_v_);
-    }
-    return r;
+  HWY_INLINE void choose_piece(Registers& r, M mask, const Registers& other) const {
+    r.begin = hn::IfThenElse(mask, other.begin, r.begin);
+    r.end = hn::IfThenElse(mask, other.end, r.end);
+    r.start_u = hn::IfThenElse(mask, other.start_u, r.start_u);
+    r.start_v = hn::IfThenElse(mask, other.start_v, r.start_v);
+    r.rate_u = hn::IfThenElse(mask, other.rate_u, r.rate_u);
+    r.rate_v = hn::IfThenElse(mask, other.rate_v, r.rate_v);
+    r.metres_u = hn::IfThenElse(mask, other.metres_u, r.metres_u);
+    r.metres_v = hn::IfThenElse(mask, other.metres_v, r.metres_v);
   }
 
-  // Loads the pieces of the tracks that distances lie on, of the wanted lanes.
-  HWY_INLINE void load_pieces(std::size_t first, V from_m, M wanted) {
+  // Loads the pieces of the tracks that distances lie on.
+  HWY_INLINE void load_pieces(Registers& r, std::size_t first, V from_m) const {
     const std::vector<double>& knots_m = tracks_->knots_m();
     V piece = of(0);
     for (std::size_t i = 1; i + 1 < knots_m.size(); ++i)
@@ -163,35 +199,21 @@ class SetWalk {
     const hn::Rebind<std::int64_t, D> longs;
     const auto at = hn::ConvertTo(
         longs, (sector * of(tracks_->pieces()) + piece) * of(EyeTracks::kCoefficients));
-    const V x = load(set_.x, first);
-    const V y = load(set_.y, first);
     const auto along = [&](int i) HWY_ATTR {
       const double* c = tracks_->coefficients().data() + i;
-      return hn::GatherIndex(D(), c, at) * x + hn::GatherIndex(D(), c + 1, at) * y;
-    };
-    const auto put = [&](EyeRays::Values& values, V value) HWY_ATTR {
-      save(values, first, hn::IfThenElse(wanted, value, load(values, first)));
+      return hn::GatherIndex(D(), c, at) * r.x + hn::GatherIndex(D(), c + 1, at) * r.y;
     };
     const auto knots = hn::ConvertTo(longs, piece);
-    put(set_.begin, hn::GatherIndex(D(), knots_m.data(), knots));
-    put(set_.end, hn::GatherIndex(D(), knots_m.data() + 1, knots));
-    put(set_.start_u, of(eye_u_) + along(0));
-    put(set_.start_v, of(eye_v_) + along(2));
+    r.begin = hn::GatherIndex(D(), knots_m.data(), knots);
+    r.end = hn::GatherIndex(D(), knots_m.data() + 1, knots);
+    r.start_u = of(eye_u_) + along(0);
+    r.start_v = of(eye_v_) + along(2);
     const VectorRate u = invertible(along(4));
     const VectorRate v = invertible(along(6));
-    put(set_.rate_u, u.rate);
-    put(set_.rate_v, v.rate);
-    put(set_.metres_u, u.metres);
-    put(set_.metres_v, v.metres);
-  }
-
-  HWY_INLINE void load_walk(Registers& r, std::size_t first) const {
-    r.column = load(set_.column, first);
-    r.row = load(set_.row, first);
-    r.g = load(set_.g, first);
-    r.u = load(set_.u, first);
-    r.v = load(set_.v, first);
-    r.z = load(set_.z, first);
+    r.rate_u = u.rate;
+    r.rate_v = v.rate;
+    r.metres_u = u.metres;
+    r.metres_v = v.metres;
   }
 
   // Puts rays into their cells at a distance. False: that is not over the grid.
@@ -207,15 +229,16 @@ class SetWalk {
                    hn::And(u <= last_column + of(1), v <= last_row + of(1)));
   }
 
-  // Where the lanes came into their cells. True: as the single ray's walk does.
-  HWY_INLINE M enter(Registers& r) const {
+  // Where the lanes came into their cells.
+  HWY_INLINE Entry enter(Registers& r) const {
     const M at_eye = hn::And(r.column == of(eye_column_), r.row == of(eye_row_));
-    const M entered = grid_.enter_cell(r);
+    const Corners corners = grid_.corners(r);
+    const M entered = grid_.enter_cell(r, corners);
     r.g = hn::IfThenElse(at_eye, of(0), r.g);
     r.u = hn::IfThenElse(at_eye, of(eye_u_), r.u);
     r.v = hn::IfThenElse(at_eye, of(eye_v_), r.v);
     r.z = hn::IfThenElse(at_eye, of(eye_z_), r.z);
-    return hn::Or(entered, at_eye);
+    return {corners, hn::Or(entered, at_eye)};
   }
 
   const Terrain& terrain_;

@@ -126,10 +126,16 @@ HWY_INLINE LinearRates rates_along(const VectorLine& line, const glm::dmat2& jac
           invertible(of(j[0][1]) * line.x + of(j[1][1]) * line.y)};
 }
 
+// The heights at the corners of cells.
+struct Corners {
+  V nw, ne, sw, se;
+};
+
 // The posts of one grid.
 class VectorPosts {
  public:
-  explicit VectorPosts(const HeightGrid& grid) : heights_m_(grid.heights_m.data()) {}
+  explicit VectorPosts(const HeightGrid& grid)
+      : heights_m_(grid.heights_m.data()), columns_(static_cast<std::size_t>(grid.columns)) {}
 
   // The heights of the posts with these indices.
   HWY_INLINE V at(V index) const {
@@ -138,8 +144,50 @@ class VectorPosts {
     return hn::PromoteTo(D(), hn::GatherIndex(floats, heights_m_, hn::DemoteTo(ints, index)));
   }
 
+  // The corners of the cells whose first posts have these indices.
+  HWY_INLINE Corners corners(V post) const {
+#if HWY_TARGET == HWY_SCALAR
+    const V south_post = post + of(static_cast<double>(columns_));
+    return {at(post), at(post + of(1)), at(south_post), at(south_post + of(1))};
+#else
+    const hn::Rebind<std::int32_t, D> ints;
+    alignas(64) std::array<std::int32_t, kVectorLanes> posts;
+    hn::Store(hn::DemoteTo(ints, post), ints, posts.data());
+    // Two posts lie side by side: loads of both together take half as long as gathers.
+    const auto north = pairs<kLanes>(heights_m_, posts.data());
+    const auto south = pairs<kLanes>(heights_m_ + columns_, posts.data());
+    const Pairs<kLanes> d;
+    const auto west = hn::ConcatEven(d, south, north);
+    const auto east = hn::ConcatOdd(d, south, north);
+    return {hn::PromoteTo(D(), hn::LowerHalf(west)), hn::PromoteTo(D(), hn::LowerHalf(east)),
+            hn::PromoteTo(D(), hn::UpperHalf(half_, west)),
+            hn::PromoteTo(D(), hn::UpperHalf(half_, east))};
+#endif
+  }
+
  private:
+#if HWY_TARGET != HWY_SCALAR
+  static constexpr std::size_t kLanes = hn::MaxLanes(D());
+  template <std::size_t kCount>
+  using Pairs = hn::CappedTag<float, 2 * kCount>;
+  static constexpr hn::Rebind<float, D> half_{};
+
+  // Posts index[i] and index[i] + 1 as elements 2 i and 2 i + 1.
+  template <std::size_t kCount>
+  static HWY_INLINE hn::Vec<Pairs<kCount>> pairs(const float* heights_m,
+                                                 const std::int32_t* index) {
+    if constexpr (kCount == 1) {
+      return hn::LoadU(Pairs<1>(), heights_m + *index);
+    } else {
+      constexpr std::size_t kHalf = kCount / 2;
+      return hn::Combine(Pairs<kCount>(), pairs<kHalf>(heights_m, index + kHalf),
+                         pairs<kHalf>(heights_m, index));
+    }
+  }
+#endif
+
   const float* heights_m_;
+  std::size_t columns_;
 };
 
 // The state of a walk over the grid: GridWalk's, and the ground's z at the last crossing.
@@ -174,10 +222,14 @@ class VectorGrid {
       : frame_(terrain.frame()),
         posts_(*terrain.layers()[0].grid),
         columns_(of(terrain.layers()[0].grid->columns)),
-        rows_(of(terrain.layers()[0].grid->rows)),
-        has_holes_(terrain.has_holes()) {}
+        rows_(of(terrain.layers()[0].grid->rows)) {}
 
-  HWY_INLINE NextCrossing next_crossing(const Registers& r) const {
+  // The corners of the cells that the walks stand in.
+  HWY_INLINE Corners corners(const Registers& r) const {
+    return posts_.corners(r.row * columns_ + r.column);
+  }
+
+  HWY_INLINE NextCrossing next_crossing(const Registers& r, const Corners& corners) const {
     V column_line;
     V row_line;
     const V column_g = meets(r, r.column, r.start_u, r.rate_u, r.metres_u, column_line);
@@ -189,32 +241,18 @@ class VectorGrid {
     const V along = next.g - r.begin;
     const V u = clamp(r.start_u + r.rate_u * along, r.column);
     const V v = clamp(r.start_v + r.rate_v * along, r.row);
-    const V share = hn::IfThenElse(next.over_column, v - r.row, u - r.column);
     next.u = hn::IfThenElse(next.over_column, column_line, u);
     next.v = hn::IfThenElse(next.over_column, v, row_line);
-
-    const V first_column = hn::IfThenElse(next.over_column, column_line, r.column);
-    const V first_row = hn::IfThenElse(next.over_column, r.row, row_line);
-    const V post = first_row * columns_ + first_column;
-    const V along_edge = hn::IfThenElse(next.over_column, columns_, of(1));
-    const V from = posts_.at(post);
-    const V to = posts_.at(post + along_edge);
-    next.has_ground = from == from;
-    if (has_holes_) {
-      // To the edge of the cell opposite the one crossed.
-      const V stride = hn::IfThenElse(next.over_column, of(1), columns_);
-      const M forward = hn::IfThenElse(next.over_column, r.rate_u, r.rate_v) > of(0);
-      const V across = hn::IfThenElse(forward, of(0) - stride, stride);
-      const V sum = from + to + posts_.at(post + across) + posts_.at(post + across + along_edge);
-      next.has_ground = sum == sum;
-    }
-    next.z = frame_.z(r.x * next.g, r.y * next.g, from + share * (to - from));
+    next.z = edge_z(r, corners, {next.over_column, r.rate_u > of(0), r.rate_v > of(0)},
+                    {next.g, next.u, next.v});
+    const V sum = corners.nw + corners.ne + corners.sw + corners.se;
+    next.has_ground = sum == sum;
     return next;
   }
 
   // Where the walk came into the cell in which `r` stands, through the edge last crossed. True: it
   // did come into it, and not over the grid's border or at the piece's start.
-  HWY_INLINE M enter_cell(Registers& r) const {
+  HWY_INLINE M enter_cell(Registers& r, const Corners& corners) const {
     V column_line;
     V row_line;
     V column_out;
@@ -230,14 +268,10 @@ class VectorGrid {
     const V along = r.g - r.begin;
     const V u = clamp(r.start_u + r.rate_u * along, r.column);
     const V v = clamp(r.start_v + r.rate_v * along, r.row);
-    const V share = hn::IfThenElse(over_column, v - r.row, u - r.column);
     r.u = hn::IfThenElse(over_column, column_line, u);
     r.v = hn::IfThenElse(over_column, v, row_line);
-    const V post = hn::IfThenElse(over_column, r.row, row_line) * columns_ +
-                   hn::IfThenElse(over_column, column_line, r.column);
-    const V from = posts_.at(post);
-    const V to = posts_.at(post + hn::IfThenElse(over_column, columns_, of(1)));
-    r.z = frame_.z(r.x * r.g, r.y * r.g, from + share * (to - from));
+    r.z = edge_z(r, corners, {over_column, hn::Not(r.rate_u > of(0)), hn::Not(r.rate_v > of(0))},
+                 {r.g, r.u, r.v});
 
     const V line = hn::IfThenElse(over_column, column_line, row_line);
     const V last_line = hn::IfThenElse(over_column, columns_, rows_) - of(1);
@@ -253,6 +287,26 @@ class VectorGrid {
   }
 
  private:
+  // An edge of a cell: along a column of posts, or a row; the eastern one, the southern one.
+  struct Edge {
+    M over_column, east, south;
+  };
+  // A place on an edge.
+  struct Place {
+    V g, u, v;
+  };
+
+  // z of the ground where a walk crosses an edge of its cell.
+  HWY_INLINE V edge_z(const Registers& r, const Corners& c, const Edge& edge,
+                      const Place& at) const {
+    const V from = hn::IfThenElse(edge.over_column, hn::IfThenElse(edge.east, c.ne, c.nw),
+                                  hn::IfThenElse(edge.south, c.sw, c.nw));
+    const V to = hn::IfThenElse(edge.over_column, hn::IfThenElse(edge.east, c.se, c.sw),
+                                hn::IfThenElse(edge.south, c.se, c.ne));
+    const V share = hn::IfThenElse(edge.over_column, at.v - r.row, at.u - r.column);
+    return frame_.z(r.x * at.g, r.y * at.g, from + share * (to - from));
+  }
+
   // Where a line of the grid is met, never before the last crossing.
   HWY_INLINE V meets(const Registers& r, V cell, V start, V rate, V metres, V& line) const {
     line = hn::IfThenElse(rate > of(0), cell + of(1), cell);
@@ -277,7 +331,6 @@ class VectorGrid {
   VectorPosts posts_;
   V columns_;
   V rows_;
-  bool has_holes_;
 };
 
 HWY_INLINE void advance(Registers& r, const NextCrossing& next) {
