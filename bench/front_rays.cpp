@@ -7,6 +7,8 @@
 #include <memory>
 #include <span>
 
+#include <glm/common.hpp>
+
 #include "render/parallel.h"
 #include "terrain/eye_tracer.h"
 
@@ -23,38 +25,75 @@ void store_row(const EyeFacets& facets, std::size_t first, std::size_t count, Tr
   std::copy_n(facets.y.data() + first, count, frame.normal_north.data() + pixel);
 }
 
+// Part of a picture; one that is level goes upwards, row by row, and rows that follow others are as
+// wide as a batch.
+class PartTracer {
+ public:
+  PartTracer(const EyeFront& front, const Camera& camera, TracedFrame& frame)
+      : front_(front), camera_(camera), frame_(frame) {}
+
+  void trace_block(glm::ivec2 first_px, glm::ivec2 size_px) {
+    for (int row = 0; row < size_px.y; ++row)
+      aim({first_px.x, first_px.y + row}, size_px.x, static_cast<std::size_t>(row * size_px.x));
+    rays_.count = static_cast<std::size_t>(size_px.x * size_px.y);
+    trace(front_, rays_, counts_);
+    facets(front_.terrain(), rays_, seen_);
+    for (int row = 0; row < size_px.y; ++row)
+      store_row(seen_, static_cast<std::size_t>(row * size_px.x),
+                static_cast<std::size_t>(size_px.x), frame_,
+                frame_.index(first_px.x, first_px.y + row));
+  }
+
+  void trace_upwards(glm::ivec2 first_px, glm::ivec2 size_px) {
+    rays_.begin_to_follow();
+    for (int row = size_px.y; row-- > 0;)
+      trace_block({first_px.x, first_px.y + row}, {size_px.x, 1});
+  }
+
+  [[nodiscard]] const TraceCounts& counts() const { return counts_; }
+
+ private:
+  void aim(glm::ivec2 first_px, int columns, std::size_t i) {
+    const auto width = static_cast<std::size_t>(columns);
+    camera_.aim_row(glm::dvec2(first_px) + 0.5, {std::span(rays_.direction_x).subspan(i, width),
+                                                 std::span(rays_.direction_y).subspan(i, width),
+                                                 std::span(rays_.direction_z).subspan(i, width)});
+  }
+
+  const EyeFront& front_;
+  const Camera& camera_;
+  TracedFrame& frame_;
+  EyeRays rays_;
+  EyeFacets seen_;
+  TraceCounts counts_;
+};
+
 }  // namespace
 
 FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
                       TracedFrame& frame) {
-  constexpr int kWide_px = 32;
-  constexpr int kHigh_px = static_cast<int>(EyeRays::kMost) / kWide_px;
+  constexpr int kMost = static_cast<int>(EyeRays::kMost);
+  constexpr int kTileWide_px = 32;
+  constexpr int kLevelHigh_px = 270;
+  const bool is_level = column_view(camera).has_value();
+  const glm::ivec2 tile_px = is_level ? glm::ivec2(kMost, kLevelHigh_px)
+                                      : glm::ivec2(frame.size_px.x, kMost / kTileWide_px);
+  const glm::ivec2 tiles = (frame.size_px + tile_px - 1) / tile_px;
   std::atomic<std::int64_t> tests = 0;
   std::atomic<std::int64_t> nodes = 0;
-  const glm::ivec2 size_px = frame.size_px;
-  parallel_for((size_px.y + kHigh_px - 1) / kHigh_px, threads, [&](int band) {
-    const auto rays = std::make_unique<EyeRays>();
-    const auto seen = std::make_unique<EyeFacets>();
-    TraceCounts counts;
-    const int rows = std::min(kHigh_px, size_px.y - band * kHigh_px);
-    for (int left = 0; left < size_px.x; left += kWide_px) {
-      const int columns = std::min(kWide_px, size_px.x - left);
-      std::size_t i = 0;
-      const auto width = static_cast<std::size_t>(columns);
-      for (int row = 0; row < rows; ++row, i += width)
-        camera.aim_row({left + 0.5, band * kHigh_px + row + 0.5},
-                       {std::span(rays->direction_x).subspan(i, width),
-                        std::span(rays->direction_y).subspan(i, width),
-                        std::span(rays->direction_z).subspan(i, width)});
-      rays->count = i;
-      trace(front, *rays, counts);
-      facets(front.terrain(), *rays, *seen);
-      for (int row = 0; row < rows; ++row)
-        store_row(*seen, static_cast<std::size_t>(row) * width, width, frame,
-                  frame.index(left, band * kHigh_px + row));
+  parallel_for(tiles.x * tiles.y, threads, [&](int tile) {
+    const auto part = std::make_unique<PartTracer>(front, camera, frame);
+    const glm::ivec2 first_px = glm::ivec2(tile % tiles.x, tile / tiles.x) * tile_px;
+    const glm::ivec2 size_px = glm::min(tile_px, frame.size_px - first_px);
+    if (is_level) {
+      part->trace_upwards(first_px, size_px);
+    } else {
+      for (int left = 0; left < size_px.x; left += kTileWide_px)
+        part->trace_block({left, first_px.y},
+                          {std::min(kTileWide_px, size_px.x - left), size_px.y});
     }
-    tests += counts.tests;
-    nodes += counts.nodes;
+    tests += part->counts().tests;
+    nodes += part->counts().nodes;
   });
   return {.tests = tests, .nodes = nodes};
 }

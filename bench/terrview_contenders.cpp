@@ -83,14 +83,14 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
     ViewTracer tracer = scalar_place(view);
     const auto columns = column_view(view.camera);
     const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
-    if (columns && has_columns(*terrain)) {
-      tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
-        return trace_strips(*terrain, columns, threads, frame);
-      };
-    } else if (EyeFront::serves(*terrain)) {
+    if (EyeFront::serves(*terrain)) {
       tracer.primary = [terrain, &view](int threads, TracedFrame& frame) {
         const auto front = view_front(*terrain, view.camera);
         return trace_front(*front, view.camera, threads, frame);
+      };
+    } else if (columns && has_columns(*terrain)) {
+      tracer.primary = [terrain, columns = *columns](int threads, TracedFrame& frame) {
+        return trace_strips(*terrain, columns, threads, frame);
       };
     }
     return tracer;

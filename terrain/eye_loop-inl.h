@@ -37,7 +37,7 @@ class EyeLoop {
         walk_(front.terrain(), set, front.step_back_m()) {}
 
   std::int64_t run() {
-    constexpr int kSteps = 4;
+    constexpr int kSteps = 3;
     pass([&](std::size_t i, std::uint32_t lanes) HWY_ATTR { return begin(i, lanes); });
     while (set_.count > 0) {
       for (int j = 0; j < kSteps; ++j)
@@ -96,7 +96,8 @@ class EyeLoop {
     const V across_y = load(rays_.direction_y, first);
     // As is_vertical(), or nearly: those near it go the sure way. NaN too.
     const M slanted = across_x * across_x + across_y * across_y > of(4e-24) * rise * rise;
-    const V start_m = search_.start_m(load(set_.start, first));
+    V start_m = search_.start_m(load(set_.start, first));
+    if (rays_.follows) start_m = hn::Max(start_m, load(rays_.clear_m, first));
     const M meets = start_m < hn::Inf(D());
     std::uint32_t lost = lanes & ~bits_of(slanted);
     std::uint32_t active = lanes & bits_of(meets) & ~lost;

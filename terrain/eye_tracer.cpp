@@ -88,6 +88,14 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
   }
 }
 
+// Where rays have ended, for those that follow them.
+void keep_clear(EyeRays& rays) {
+  for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
+    const V g = load(rays.ground_m, i);
+    save(rays.clear_m, i, hn::IfThenElse(g >= of(0), g, hn::Inf(D())));
+  }
+}
+
 std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RaySet& set, RescueList& rescues) {
   if (front.terrain().layers()[0].map->linear())
     return EyeLoop<false>(front, rays, set, rescues).run();
@@ -109,6 +117,14 @@ void affine_facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facet
   for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
     const V g = load(rays.ground_m, i);
     const M hit = g >= of(0);
+    if (hn::AllFalse(D(), hit)) {
+      save(facets.x, i, of(0));
+      save(facets.y, i, of(0));
+      save(facets.z, i, of(0));
+      save(facets.cell, i, of(-1));
+      save(facets.distance_m, i, hn::Inf(D()));
+      continue;
+    }
     const V column = hn::IfThenElseZero(hit, load(rays.column, i));
     const V row = hn::IfThenElseZero(hit, load(rays.row, i));
     const V f_u = hn::Min(hn::Max(load(rays.u, i) - column, of(0)), of(1));
@@ -141,6 +157,7 @@ namespace terrview {
 
 HWY_EXPORT(prepare_rays);
 HWY_EXPORT(run_eye_loop);
+HWY_EXPORT(keep_clear);
 HWY_EXPORT(affine_facets);
 
 namespace {
@@ -152,7 +169,35 @@ void pad(EyeRays& rays) {
     rays.direction_x[i] = rays.direction_x[0];
     rays.direction_y[i] = rays.direction_y[0];
     rays.direction_z[i] = rays.direction_z[0];
+    rays.clear_m[i] = rays.clear_m[0];
   }
+}
+
+bool nothing_is_left(const EyeRays& rays) {
+  const double* begin = rays.clear_m.data();
+  return std::all_of(begin, begin + rays.count, [](double clear_m) { return std::isinf(clear_m); });
+}
+
+// Traces ray i by itself.
+void rescue(const Terrain& terrain, EyeRays& rays, std::size_t i, TraceCounts& counts) {
+  const Ray ray{{0, 0, 0}, {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}};
+  const Trace found = trace(terrain, terrain.ceiling_m(), ray);
+  counts.tests += found.counts.tests;
+  counts.nodes += found.counts.nodes;
+  rays.ground_m[i] = found.outcome == Outcome::hit ? found.ground_m : -1;
+  // Where this one came over an edge of the ground below it, the next may come above it.
+  if (rays.follows)
+    rays.clear_m[i] = found.outcome == Outcome::below ? 0
+                      : found.outcome == Outcome::hit ? found.ground_m
+                                                      : std::numeric_limits<double>::infinity();
+  if (found.outcome == Outcome::hit && is_vertical(ray)) {
+    rays.slope[i] = -std::numeric_limits<double>::infinity();
+    rays.ground_m[i] = found.hit.distance_m;
+  }
+  rays.u[i] = found.hit.uv.x;
+  rays.v[i] = found.hit.uv.y;
+  rays.column[i] = found.hit.cell.x;
+  rays.row[i] = found.hit.cell.y;
 }
 
 }  // namespace
@@ -172,28 +217,18 @@ Hit EyeRays::hit(std::size_t i) const {
 
 void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
   if (rays.count == 0) return;
+  if (rays.follows && nothing_is_left(rays)) {
+    std::fill_n(rays.ground_m.begin(), rays.count, -1);
+    return;
+  }
   pad(rays);
   RaySet set;
   HWY_DYNAMIC_DISPATCH(prepare_rays)(front, rays, set);
   RescueList rescues;
   counts.tests += HWY_DYNAMIC_DISPATCH(run_eye_loop)(front, rays, set, rescues);
-  const Terrain& terrain = front.terrain();
-  for (std::size_t j = 0; j < rescues.count; ++j) {
-    const auto i = static_cast<std::size_t>(rescues.rays[j]);
-    const Ray ray{{0, 0, 0}, {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}};
-    const Trace found = trace(terrain, terrain.ceiling_m(), ray);
-    counts.tests += found.counts.tests;
-    counts.nodes += found.counts.nodes;
-    rays.ground_m[i] = found.outcome == Outcome::hit ? found.ground_m : -1;
-    if (found.outcome == Outcome::hit && is_vertical(ray)) {
-      rays.slope[i] = -std::numeric_limits<double>::infinity();
-      rays.ground_m[i] = found.hit.distance_m;
-    }
-    rays.u[i] = found.hit.uv.x;
-    rays.v[i] = found.hit.uv.y;
-    rays.column[i] = found.hit.cell.x;
-    rays.row[i] = found.hit.cell.y;
-  }
+  if (rays.follows) HWY_DYNAMIC_DISPATCH(keep_clear)(rays);
+  for (std::size_t j = 0; j < rescues.count; ++j)
+    rescue(front.terrain(), rays, static_cast<std::size_t>(rescues.rays[j]), counts);
 }
 
 void facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets) {

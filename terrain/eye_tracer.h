@@ -26,6 +26,18 @@ struct EyeRays {
   // Directions, view frame, of any length but 0.
   alignas(64) Values direction_x, direction_y, direction_z;
 
+  // Where rays follow others over the same ground lines, each at least as steep as the one before
+  // it (columns of a level picture, upwards): each is clear up to where the one before it ended.
+  // trace() keeps this; infinite: nothing is left to hit.
+  bool follows = false;
+  alignas(64) Values clear_m;
+
+  // The next rays follow those traced next; up to those, none has.
+  void begin_to_follow() {
+    follows = true;
+    clear_m.fill(0);
+  }
+
   // The ground lines' directions (unit length), and the rays' slopes dz / dg.
   alignas(64) Values x, y, slope;
   // Hits: the distance along the ground line, negative where nothing is hit (of a vertical ray,
