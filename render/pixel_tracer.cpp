@@ -8,7 +8,7 @@
 namespace terrview {
 namespace {
 
-constexpr int kStripColumns = 16;
+constexpr int kStripColumns = 32;
 
 }  // namespace
 
@@ -59,9 +59,12 @@ std::vector<std::optional<Hit>> PixelTracer::trace(const Block& block,
 std::vector<std::optional<Hit>> PixelTracer::trace_strip(const Block& block,
                                                          std::span<const glm::ivec2> points,
                                                          TraceCounts& counts) const {
-  // One walk serves a whole column, so leaving out points of it would spare next to nothing.
+  // Rays begin where those below them ended, so leaving out points of a column would spare little.
   std::vector<ColumnHit> met(block.points());
-  trace_columns(terrain_, *columns_, block.first.x, block.size.x, met, counts);
+  if (front_)
+    trace_columns(*front_, *columns_, block.first.x, block.size.x, met, counts);
+  else
+    trace_columns(terrain_, *columns_, block.first.x, block.size.x, met, counts);
   std::vector<std::optional<Hit>> hits;
   hits.reserve(points.size());
   for (const glm::ivec2& point : points) {

@@ -13,6 +13,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "terrain/eye_front.h"
 #include "terrain/terrain.h"
 
 namespace terrview {
@@ -37,6 +38,10 @@ struct ColumnHit {
 // Traces the columns first ... first + count - 1 of `view`, in any number of calls. hits[i * rows +
 // j] is pixel (first + i, j). Adds to `counts`.
 void trace_columns(const Terrain& terrain, const ColumnView& view, int first, int count,
+                   std::span<ColumnHit> hits, TraceCounts& counts);
+
+// The same by the front of a view: sooner, because hidden ground is not walked.
+void trace_columns(const EyeFront& front, const ColumnView& view, int first, int count,
                    std::span<ColumnHit> hits, TraceCounts& counts);
 
 // The Hit that Terrain::first_hit() gives for pixel (column, row).

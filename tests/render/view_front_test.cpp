@@ -32,7 +32,7 @@ TEST(ViewFront, ShowsTheSamePictureAsSingleRays) {
     EXPECT_EQ(frame.image.pixels(), single.image.pixels()) << camera.options().pitch_rad;
     EXPECT_EQ(frame.counts.hits, single.counts.hits);
     const glm::ivec2 size_px = camera.options().size_px;
-    EXPECT_LE(frame.counts.tests, 2 * single.counts.tests + size_px.x * size_px.y / 50);
+    EXPECT_LE(frame.counts.tests, 2 * single.counts.tests + size_px.x * size_px.y / 20);
   }
 }
 

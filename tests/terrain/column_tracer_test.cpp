@@ -36,13 +36,16 @@ ColumnView random_view(Random& random, const Terrain& terrain, Position position
   return view;
 }
 
-// Hits, all equal to those of single rays.
-int expect_hits_of_single_rays(const Terrain& terrain, const ColumnView& view, int first,
-                               int count) {
+// Hits, all equal to those of single rays. With a `front`, by it.
+int expect_hits_of_single_rays(const Terrain& terrain, const EyeFront* front,
+                               const ColumnView& view, int first, int count) {
   const auto rows = view.rise.size();
   std::vector<ColumnHit> hits(static_cast<std::size_t>(count) * rows);
   TraceCounts counts;
-  trace_columns(terrain, view, first, count, hits, counts);
+  if (front)
+    trace_columns(*front, view, first, count, hits, counts);
+  else
+    trace_columns(terrain, view, first, count, hits, counts);
   int met = 0;
   for (int i = 0; i < count; ++i) {
     for (std::size_t row = 0; row < rows; ++row) {
@@ -69,9 +72,14 @@ void expect_same_bits(std::uint64_t seed, Position position, const MakeTerrain& 
     if (!has_columns(terrain)) continue;
     const ColumnView view = random_view(random, terrain, position);
     const int columns = static_cast<int>(view.across.size());
-    met += expect_hits_of_single_rays(terrain, view, 0, columns);
+    met += expect_hits_of_single_rays(terrain, nullptr, view, 0, columns);
     const int first = random.integer(0, columns - 1);
-    expect_hits_of_single_rays(terrain, view, first, random.integer(1, columns - first));
+    const int count = random.integer(1, columns - first);
+    expect_hits_of_single_rays(terrain, nullptr, view, first, count);
+    if (!EyeFront::serves(terrain)) continue;
+    const EyeFront front(terrain, {.wedge_rad = random.log_uniform(1e-3, 1)});
+    expect_hits_of_single_rays(terrain, &front, view, 0, columns);
+    expect_hits_of_single_rays(terrain, &front, view, first, count);
     ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed << ", terrain " << i;
   }
   EXPECT_GT(met, 5000);
@@ -108,7 +116,10 @@ TEST(TraceColumns, HasThemAlongDiagonalsFromAPost) {
       for (int j = -5; j <= 5; ++j)
         if (i != 0 || j != 0) view.across.emplace_back(60 * i, 90 * j);
     for (int i = 0; i < 100; ++i) view.rise.push_back(100 - 3 * i);
-    expect_hits_of_single_rays(terrain, view, 0, static_cast<int>(view.across.size()));
+    const int columns = static_cast<int>(view.across.size());
+    expect_hits_of_single_rays(terrain, nullptr, view, 0, columns);
+    const EyeFront front(terrain, {});
+    expect_hits_of_single_rays(terrain, &front, view, 0, columns);
   }
 }
 

@@ -48,7 +48,8 @@ class WholeFront {
 
   // Where a ray may first meet the ground.
   [[nodiscard]] double start_m(glm::dvec2 direction, double slope) const {
-    const double bin = (slope / (1 + std::abs(slope)) + 1) * (EyeFront::kStartBins / 2);
+    const double bin =
+        (slope / (EyeFront::kHalfwaySlope + std::abs(slope)) + 1) * (EyeFront::kStartBins / 2);
     const int known = std::clamp(static_cast<int>(bin), front_.first_bin(), front_.last_bin());
     return front_.starts_m()[wedge_of(direction) * EyeFront::kStartBins + known];
   }
