@@ -143,14 +143,6 @@ void EyeFront::index_rings() {
   }
 }
 
-int EyeFront::ring_of(double distance_m) const {
-  const auto step =
-      std::min(static_cast<std::size_t>(distance_m / step_m_), ring_at_step_.size() - 1);
-  int ring = ring_at_step_[step];
-  while (ring + 1 < rings() && ring_m_[static_cast<std::size_t>(ring) + 1] <= distance_m) ++ring;
-  return ring;
-}
-
 void EyeFront::make(int group) const {
   std::call_once(made_[static_cast<std::size_t>(group)], [&] {
     const GroundMap& map = *terrain_.layers()[0].map;

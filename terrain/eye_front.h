@@ -79,8 +79,9 @@ class EyeFront {
   [[nodiscard]] int first_bin() const { return first_bin_; }
   [[nodiscard]] int last_bin() const { return last_bin_; }
 
-  // The ring in which a distance lies.
-  [[nodiscard]] int ring_of(double distance_m) const;
+  // The ring in which step_m() * i lies, by i. No ring is narrower than a step.
+  [[nodiscard]] std::span<const std::int32_t> ring_at_step() const { return ring_at_step_; }
+  [[nodiscard]] double step_m() const { return step_m_; }
 
  private:
   void lay_rings(double wedge_rad);
@@ -94,9 +95,9 @@ class EyeFront {
   double margin_cells_;
   double margin_m_ = 0;
   std::vector<double> ring_m_;
-  std::vector<int> levels_;        // by ring: of the blocks that cover its sectors
-  std::vector<int> ring_at_step_;  // the ring that a multiple of step_m_ lies in
-  double step_m_ = 0;              // the narrowest ring
+  std::vector<int> levels_;  // by ring: of the blocks that cover its sectors
+  std::vector<std::int32_t> ring_at_step_;
+  double step_m_ = 0;  // the narrowest ring
   float highest_slope_;
   int first_bin_;
   int last_bin_;

@@ -199,7 +199,7 @@ class EyeLoop {
     const V g = hn::IfThenElseZero(held, r.g);
     const V start = hn::IfThenElseZero(held, load(set_.start, first));
     const V wedge = hn::Floor(start * of(1.0 / EyeFront::kStartBins));
-    const V here = ring_of(g);
+    const V here = search_.ring_of(g);
     const FrontSearch::Place there = search_.next(here, r.slope, wedge, lanes);
     std::uint32_t active = lanes & ~bits_of(search_.is_none(there.ring));
     // A leap may settle a little before its end, and must go forward all the same.
@@ -214,14 +214,6 @@ class EyeLoop {
       if constexpr (kBent) walk_.keep_pieces(r, first);
     }
     return active;
-  }
-
-  HWY_INLINE V ring_of(V g) const {
-    alignas(64) std::array<double, kVectorLanes> rings;
-    hn::Store(g, D(), rings.data());
-    for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
-      rings[lane] = front_.ring_of(rings[lane]);
-    return hn::Load(D(), rings.data());
   }
 
   const EyeFront& front_;

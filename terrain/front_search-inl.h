@@ -49,6 +49,18 @@ class FrontSearch {
     return {ring, hn::Max(ring_at(known), down_m) - of(front_.margin_m())};
   }
 
+  // The ring in which a distance lies, or within rounding the one before.
+  HWY_INLINE V ring_of(V distance_m) const {
+    const std::span<const std::int32_t> rings = front_.ring_at_step();
+    const V step = hn::Min(hn::Floor(distance_m * of(1 / front_.step_m())),
+                           of(static_cast<double>(rings.size() - 1)));
+    const V ring =
+        hn::PromoteTo(D(), hn::GatherIndex(Ints(), rings.data(), hn::DemoteTo(Ints(), step)));
+    // No ring is narrower than a step.
+    const V next = hn::Min(ring + of(1), of(rings_ - 1));
+    return hn::IfThenElse(ring_at(next) <= distance_m, next, ring);
+  }
+
   HWY_INLINE M is_none(V ring) const { return ring >= of(rings_); }
 
  private:

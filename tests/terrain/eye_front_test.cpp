@@ -46,6 +46,13 @@ class WholeFront {
     return sector_of(direction, front_.wedges_a_side());
   }
 
+  // The ring in which a distance lies.
+  [[nodiscard]] int ring_of(double distance_m) const {
+    const auto rings_m = front_.ring_m();
+    const auto next = std::upper_bound(rings_m.begin(), rings_m.end(), distance_m);
+    return std::min(static_cast<int>(next - rings_m.begin()), front_.rings()) - 1;
+  }
+
   // Where a ray may first meet the ground.
   [[nodiscard]] double start_m(glm::dvec2 direction, double slope) const {
     const double bin =
@@ -107,8 +114,8 @@ int expect_bounds_along(const WholeFront& whole, glm::dvec2 direction) {
     ++seen;
     const double in_z_m = z_of(span.in);
     const double rise = (z_of(span.out) - in_z_m) / (span.out.g_m - span.in.g_m);
-    const int last = whole.front().ring_of(span.out.g_m);
-    for (int ring = whole.front().ring_of(span.in.g_m); ring <= last; ++ring) {
+    const int last = whole.ring_of(span.out.g_m);
+    for (int ring = whole.ring_of(span.in.g_m); ring <= last; ++ring) {
       const auto i = static_cast<std::size_t>(ring);
       for (const double g_m :
            {std::max(span.in.g_m, rings_m[i]), std::min(span.out.g_m, rings_m[i + 1])})
@@ -168,7 +175,7 @@ TEST(EyeFront, BoundsEveryPost) {
         if (std::isnan(height_m) || away_m == 0) continue;
         ++seen;
         const double z_m = terrain.frame().at(at_m).z_m(terrain.frame().z_scale * height_m);
-        expect_bounded(whole, whole.wedge_of(at_m), whole.front().ring_of(away_m), away_m, z_m);
+        expect_bounded(whole, whole.wedge_of(at_m), whole.ring_of(away_m), away_m, z_m);
       }
   });
   EXPECT_GT(seen, 10000);
@@ -235,7 +242,7 @@ TEST(EyeFront, FindsTheRingOfADistance) {
     const auto rings_m = whole.front().ring_m();
     for (int i = 0; i < 50; ++i) {
       const double at_m = random.uniform(0, rings_m.back());
-      const auto ring = static_cast<std::size_t>(whole.front().ring_of(at_m));
+      const auto ring = static_cast<std::size_t>(whole.ring_of(at_m));
       EXPECT_LE(rings_m[ring], at_m);
       EXPECT_GT(rings_m[ring + 1], at_m);
     }
