@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 
 #include "render/parallel.h"
+#include "render/pixel_lattice.h"
 #include "terrain/eye_tracer.h"
 
 namespace terrview {
