@@ -31,7 +31,7 @@ bool same_place(const std::string& a, const std::string& b) {
 std::string usual_extension(const std::string& format) {
   const std::string name = lower_case(format);
   if (name.empty()) return ".png";
-  return name == "gtiff" ? ".tif" : "." + name;
+  return name == "gtiff" || name == "cog" ? ".tif" : "." + name;
 }
 
 bool BarOptions::shown() const { return !quiet && (progress || stderr_is_terminal()); }

@@ -10,6 +10,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/view_command.h"
 #include "cli/view_metadata.h"
 #include "ingest/plan_file.h"
 #include "render/color_ramp.h"
@@ -30,7 +33,7 @@ double length_of(const glm::dvec2& step) { return std::hypot(step.x, step.y); }
 
 // In the pixels of `lattice`, whose DEM's posts lie so.
 PostPlacement corners_of(const PlanLattice& lattice, const PostPlacement& posts) {
-  return {posts.at(lattice.corner_uv),
+  return {posts.at(lattice.corner_uv + lattice.step_uv * glm::dvec2(lattice.first_px)),
           {posts.step[0] * lattice.step_uv.x, posts.step[1] * lattice.step_uv.y}};
 }
 
@@ -53,7 +56,8 @@ Raster<glm::u8vec4> colors_of(const PlanFrame& frame, int threads) {
 PlanFileOptions file_options(const ViewOptions& options, const View& view) {
   return {options.format,
           options.creation,
-          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}}};
+          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}},
+          options.plan_alpha};
 }
 
 }  // namespace
@@ -140,10 +144,22 @@ void resolve_plan(const ViewOptions& options, const ViewFrame& frame, const Dem&
   view.width_m = lattice.size_px.x * lattice.step_uv.x * post_distance_m(terrain.layers().front());
 }
 
+PlanFrame draw_plan(const ViewOptions& options, const View& view, const PlanLattice& lattice,
+                    const std::string& label) {
+  ProgressBar bar(label, shows_bar(options));
+  return render_plan(view.scene, lattice,
+                     {.threads = options.threads,
+                      .samples = std::max(1, options.sampling.samples),
+                      .progress = [&](double share) {
+                        check_interrupt();
+                        bar.report(share);
+                      }});
+}
+
 void write_plan(const ViewOptions& options, const View& view, const Dem& dem,
-                const PlanFrame& frame, const ViewFiles& files) {
-  const PlanPicture picture{colors_of(frame, options.threads),
-                            corners_of(plan_lattice(options, dem), dem.placement), dem.crs_wkt};
+                const PlanLattice& lattice, const PlanFrame& frame, const ViewFiles& files) {
+  const PlanPicture picture{colors_of(frame, options.threads), corners_of(lattice, dem.placement),
+                            dem.crs_wkt};
   const std::string& name = files.image->path();
   PlanFiles encoded;
   files.image->fill([&](const std::string& path) {

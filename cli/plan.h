@@ -1,6 +1,7 @@
 // Maps: --projection plan.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cli/view_files.h"
@@ -26,8 +27,12 @@ void check_plan(const ViewOptions& options);
 void resolve_plan(const ViewOptions& options, const ViewFrame& frame, const Dem& dem,
                   ResolvedView& view);
 
+// Renders a plan, or the part of one that `lattice` is, with a bar of that `label`.
+[[nodiscard]] PlanFrame draw_plan(const ViewOptions& options, const View& view,
+                                  const PlanLattice& lattice, const std::string& label);
+
 // `dem` is the first.
 void write_plan(const ViewOptions& options, const View& view, const Dem& dem,
-                const PlanFrame& frame, const ViewFiles& files);
+                const PlanLattice& lattice, const PlanFrame& frame, const ViewFiles& files);
 
 }  // namespace terrview

@@ -29,8 +29,7 @@ void check_earth(const ViewOptions& options) {
     throw InputError("--refraction: light is straight over a flat Earth: leave it out");
   if (options.refraction && std::abs(*options.refraction) > 1)
     throw InputError("--refraction: k lies between -1 and 1 (0.13 by day)");
-  if (options.z_scale && !(*options.z_scale > 0 && *options.z_scale <= 1000))
-    throw InputError("--z-scale: give a number above 0, up to 1000");
+  check_z_scale(options);
 }
 
 void check_eye(const EyePlace& eye) {
@@ -77,6 +76,11 @@ void check_palette(const ViewOptions& options) {
 }
 
 }  // namespace
+
+void check_z_scale(const ViewOptions& options) {
+  if (options.z_scale && !(*options.z_scale > 0 && *options.z_scale <= 1000))
+    throw InputError("--z-scale: give a number above 0, up to 1000");
+}
 
 void prepare(ViewOptions& options) {
   apply_preset(options);

@@ -8,6 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
+#include "cli/overview_command.h"
 #include "cli/quantize_command.h"
 #include "cli/sky_command.h"
 #include "cli/synth_command.h"
@@ -21,6 +22,7 @@ constexpr const char* kUsage =
     "terrview: what can be seen of a landscape from a point on the Earth\n"
     "\n"
     "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
+    "  terrview overview DEM... [options] [-o OUT]                   a whole region\n"
     "  terrview info DEM... [--json]                                 what DEMs hold\n"
     "  terrview sky [--clouds 0..1] [--seed N] [-o OUT]              a sky, wood, marble\n"
     "  terrview synth [--relief plain|ridged|eroded] [-o OUT.tif]    a height grid\n"
@@ -31,11 +33,9 @@ constexpr const char* kUsage =
 using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
-  static const std::map<std::string, Command> kCommands{{"info", run_info},
-                                                        {"quantize", run_quantize},
-                                                        {"sky", run_sky},
-                                                        {"synth", run_synth},
-                                                        {"view", run_view}};
+  static const std::map<std::string, Command> kCommands{
+      {"info", run_info}, {"overview", run_overview}, {"quantize", run_quantize},
+      {"sky", run_sky},   {"synth", run_synth},       {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

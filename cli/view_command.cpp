@@ -27,27 +27,6 @@
 namespace terrview {
 namespace {
 
-bool shows_bar(const ViewOptions& options) {
-  return !options.quiet && (options.progress || stderr_is_terminal());
-}
-
-std::vector<Dem> read(ViewOptions& options) {
-  ProgressBar bar("reading", shows_bar(options));
-  options.dem.progress = [&](double share) {
-    check_interrupt();
-    bar.report(share);
-  };
-  limit_reading(options);
-  return read_dems(options.dems, options.dem);
-}
-
-ImageFileOptions image_options(const ViewOptions& options, const View& view) {
-  return {options.format,
-          options.creation,
-          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}},
-          options.dpi.value_or(0)};
-}
-
 Frame render(const ViewOptions& options, const View& view, const ViewFiles& files) {
   ProgressBar bar("rendering", shows_bar(options));
   RenderOptions how{.threads = options.threads,
@@ -129,19 +108,10 @@ void write(const ViewOptions& options, const View& view, const Frame& frame,
 Frame draw_plan(const ViewOptions& options, const View& view, const Dem& dem,
                 const ViewFiles& files, WorkSeconds& seconds) {
   Stopwatch stopwatch;
-  PlanFrame plan;
-  {
-    ProgressBar bar("rendering", shows_bar(options));
-    plan = render_plan(view.scene, plan_lattice(options, dem),
-                       {.threads = options.threads,
-                        .samples = std::max(1, options.sampling.samples),
-                        .progress = [&](double share) {
-                          check_interrupt();
-                          bar.report(share);
-                        }});
-  }
+  const PlanLattice lattice = plan_lattice(options, dem);
+  const PlanFrame plan = terrview::draw_plan(options, view, lattice, "rendering");
   seconds.render = stopwatch.lap();
-  write_plan(options, view, dem, plan, files);
+  write_plan(options, view, dem, lattice, plan, files);
   seconds.write = stopwatch.lap();
   Frame frame;
   frame.counts = plan.counts;
@@ -160,13 +130,37 @@ Frame draw(const ViewOptions& options, const View& view, const ViewFiles& files,
 
 }  // namespace
 
+bool shows_bar(const ViewOptions& options) {
+  return !options.quiet && (options.progress || stderr_is_terminal());
+}
+
+std::vector<Dem> read_with_bar(ViewOptions& options) {
+  ProgressBar bar("reading", shows_bar(options));
+  options.dem.progress = [&](double share) {
+    check_interrupt();
+    bar.report(share);
+  };
+  limit_reading(options);
+  return read_dems(options.dems, options.dem);
+}
+
+ImageFileOptions image_options(const ViewOptions& options, const View& view) {
+  return {options.format,
+          options.creation,
+          {{"terrview:view", view_metadata(options, view.resolved, view.sun)}},
+          options.dpi.value_or(0)};
+}
+
 int run_view(const std::vector<std::string>& args) {
-  ViewOptions options = parse_view(args, "terrview view");
+  return make_picture(parse_view(args, "terrview view"));
+}
+
+int make_picture(ViewOptions options) {
   ViewFiles files(options);
   WorkSeconds seconds;
   Stopwatch stopwatch;
 
-  const std::vector<Dem> dems = read(options);
+  const std::vector<Dem> dems = read_with_bar(options);
   seconds.read = stopwatch.lap();
   const View view = make_view(options, dems);
   seconds.build = stopwatch.lap();

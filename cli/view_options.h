@@ -109,6 +109,7 @@ struct ViewOptions {
   std::optional<Projection> projection;
   bool plan = false;                     // instead of a projection
   std::optional<glm::dvec2> resolution;  // of a plan, in units of the DEM's coordinates
+  bool plan_alpha = false;               // of a plan, even where it has no gaps
   std::optional<glm::dvec2> shift;
   std::optional<PixelRect> crop;
   std::string preset;

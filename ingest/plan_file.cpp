@@ -22,9 +22,9 @@ namespace terrview {
 namespace {
 
 std::string driver_of(const std::string& path, const std::string& format) {
-  static const std::map<std::string, std::string> kDrivers{{"tif", "GTiff"},   {"tiff", "GTiff"},
-                                                           {"gtiff", "GTiff"}, {"png", "PNG"},
-                                                           {"jpg", "JPEG"},    {"jpeg", "JPEG"}};
+  static const std::map<std::string, std::string> kDrivers{
+      {"tif", "GTiff"}, {"tiff", "GTiff"}, {"gtiff", "GTiff"}, {"cog", "COG"},
+      {"png", "PNG"},   {"jpg", "JPEG"},   {"jpeg", "JPEG"}};
   std::string name = format;
   if (name.empty()) {
     name = std::filesystem::path(path).extension().string();
@@ -35,9 +35,11 @@ std::string driver_of(const std::string& path, const std::string& format) {
   const auto found = kDrivers.find(name);
   if (found == kDrivers.end())
     throw InputError("'" + path + "': a plan is no '" + name +
-                     "': end the name in .tif, .png or .jpg, or name one with --of");
+                     "': end the name in .tif, .png or .jpg, or name one, or COG, with --of");
   return found->second;
 }
+
+bool is_tiff(const std::string& driver) { return driver == "GTiff" || driver == "COG"; }
 
 CPLStringList creation_list(const std::map<std::string, std::string>& values) {
   CPLStringList list;
@@ -123,7 +125,7 @@ PlanPicture on_white(PlanPicture picture) {
 void set_metadata(GDALDataset& dataset, const std::string& driver,
                   const std::map<std::string, std::string>& metadata) {
   for (const auto& [key, value] : metadata) {
-    std::string name = driver == "GTiff" ? "TIFFTAG_IMAGEDESCRIPTION" : key;
+    std::string name = is_tiff(driver) ? "TIFFTAG_IMAGEDESCRIPTION" : key;
     std::replace(name.begin(), name.end(), ':', '_');  // to GDAL a name ends there
     dataset.SetMetadataItem(name.c_str(), value.c_str());
   }
@@ -131,9 +133,10 @@ void set_metadata(GDALDataset& dataset, const std::string& driver,
 
 CPLStringList creation_of(const std::string& driver, const PlanFileOptions& options) {
   CPLStringList creation = creation_list(options.creation);
-  if (driver == "GTiff" && creation.FetchNameValue("COMPRESS") == nullptr)
+  if (is_tiff(driver) && creation.FetchNameValue("COMPRESS") == nullptr)
     creation.SetNameValue("COMPRESS", "DEFLATE");
-  if (driver == "GTiff") creation.SetNameValue("BIGTIFF", "IF_SAFER");
+  if (is_tiff(driver) && creation.FetchNameValue("BIGTIFF") == nullptr)
+    creation.SetNameValue("BIGTIFF", "IF_SAFER");
   if (driver == "PNG") creation.SetNameValue("WRITE_METADATA_AS_TEXT", "YES");
   return creation;
 }
@@ -154,14 +157,14 @@ void check_plan_file(const std::string& path, const PlanFileOptions& options) {
 }
 
 bool needs_side_files(const std::string& path, const PlanFileOptions& options) {
-  return driver_of(path, options.format) != "GTiff";
+  return !is_tiff(driver_of(path, options.format));
 }
 
 PlanFiles encode_plan(const std::string& path, const PlanPicture& picture,
                       const PlanFileOptions& options) {
   GdalScope gdal;
   const std::string name = driver_of(path, options.format);
-  const bool gaps = has_gaps(picture);
+  const bool gaps = options.always_alpha || has_gaps(picture);
   const bool whitened = gaps && name == "JPEG";
   const GDALDatasetUniquePtr source =
       dataset_of(whitened ? on_white(picture) : picture, gaps && !whitened ? 4 : 3, gdal);

@@ -18,9 +18,10 @@ struct PlanPicture {
 };
 
 struct PlanFileOptions {
-  std::string format = {};  // tif, png or jpg, or GDAL's name for one; empty = by extension
+  std::string format = {};  // tif, png or jpg, or GDAL's name, as COG; empty = by extension
   std::map<std::string, std::string> creation = {};  // GDAL's names and values
   std::map<std::string, std::string> metadata = {};  // as IndexedFileOptions
+  bool always_alpha = false;                         // even where every pixel is covered
 };
 
 // The bytes of a picture and of what must lie beside it.

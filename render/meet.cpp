@@ -17,7 +17,7 @@ std::optional<ObjectHit> nearest_object(const Scene& scene, Ray ray, const std::
                                         ObjectCounts& counts) {
   if (hit) ray.length_m = std::min(ray.length_m, hit->distance_m);
   auto object = scene.objects->set->first_hit(ray, &counts);
-  if (!object || hit) return object;
+  if (!object || hit || scene.objects->walls_in_ground) return object;
   // What stands behind the edge at which the ray ended is not seen.
   ray.length_m = object->surface.distance_m;
   if (ends_below_ground(*scene.terrain, ray)) object.reset();

@@ -24,6 +24,9 @@ namespace {
 // Of grid coordinates: far under what a map is off, far above its rounding.
 constexpr double kClose_posts = 1e-7;
 constexpr int kMostSteps = 30;
+// Columns of the lattice that find their ground one from another: a part of a picture begins with
+// the first of them, and so finds the same.
+constexpr int kRun_px = 64;
 
 // Where a map has (u, v), by Newton's method from a point nearby.
 std::optional<glm::dvec2> ground_of(const GroundMap& map, glm::dvec2 uv, glm::dvec2 ground_m) {
@@ -71,12 +74,16 @@ class Plumb {
   [[nodiscard]] PlanRow row(int row, int sample) const {
     PlanRow found;
     glm::dvec2 near_m(0);
-    for (int column = 0; column < lattice_.size_px.x; ++column) {
-      const glm::dvec2 image_px = glm::dvec2(column, row) + sample_offset(sample);
+    const int before = lattice_.first_px.x % kRun_px;
+    for (int column = -before; column < lattice_.size_px.x; ++column) {
+      const glm::ivec2 pixel = lattice_.first_px + glm::ivec2(column, row);
+      if (pixel.x % kRun_px == 0) near_m = glm::dvec2(0);
+      const glm::dvec2 image_px = glm::dvec2(pixel) + sample_offset(sample);
       const glm::dvec2 uv = lattice_.corner_uv + lattice_.step_uv * image_px;
       const auto ground_m = ground_of(*terrain_.layers().front().map, uv, near_m);
       if (!ground_m) continue;
       near_m = *ground_m;
+      if (column < 0) continue;
       std::optional<Hit> hit = hit_at(uv, *ground_m);
       if (!hit) continue;
       found.columns.push_back(column);
@@ -128,7 +135,8 @@ class PlanPicture {
       meet_water(scene_, found.rays, found.hits);
       meet_objects(scene_, found.rays, found.hits, counts.objects);
       ShadowCounts shadows;
-      const std::vector<ShadedRay> shaded = shade(scene_, {pixel_}, found.rays, found.hits, shadows);
+      const std::vector<ShadedRay> shaded =
+          shade(scene_, {pixel_}, found.rays, found.hits, shadows);
       for (std::size_t i = 0; i < shaded.size(); ++i) {
         const int column = found.columns[i];
         frame_.image.at(column, row) += shaded[i].color;

@@ -15,12 +15,14 @@
 
 namespace terrview {
 
-// Image point (x, y) is corner_uv + step_uv * (x, y) of the terrain's first layer. Where that has a
-// hole other layers show.
+// Image point (x, y) is corner_uv + step_uv * (first_px + (x, y)) of the terrain's first layer.
+// Where that has a hole other layers show. A part of a lattice, which begins at another of its
+// pixels, makes that part of its picture, to the byte.
 struct PlanLattice {
   glm::ivec2 size_px{0, 0};
   glm::dvec2 corner_uv{-0.5, -0.5};
   glm::dvec2 step_uv{1, 1};
+  glm::ivec2 first_px{0, 0};
 };
 
 struct PlanOptions {

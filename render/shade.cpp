@@ -143,8 +143,9 @@ glm::vec3 sky_light(const Scene& scene, int grid, glm::dvec2 uv) {
 // An object sees as much of the sky as it faces, and half as bright ground otherwise.
 glm::vec3 light_on_object(const Scene& scene, const glm::dvec3& position_m,
                           const glm::vec3& normal) {
-  const auto ground = scene.terrain->ground_at(glm::dvec2(position_m));
   const float share = 0.75F + 0.25F * normal.z;
+  if (scene.objects->walls_in_ground) return share * scene.light.ambient;
+  const auto ground = scene.terrain->ground_at(glm::dvec2(position_m));
   return share * (ground ? sky_light(scene, ground->grid, ground->uv) : scene.light.ambient);
 }
 
