@@ -115,6 +115,12 @@ void check_kind(const CLI::App& app, bool plan) {
     refuse("--resolution", "of a map: add --plan, or give --size");
 }
 
+void check_sheets(const OverviewOptions& options) {
+  for (const auto& size : {options.tiles, options.tile_size_px})
+    if (size && (size->x < 1 || size->y < 1))
+      throw InputError("--tiles, --tile-size: give numbers from 1");
+}
+
 void set_defaults(OverviewOptions& options) {
   ViewOptions& view = options.view;
   view.plan = options.plan;
@@ -151,6 +157,7 @@ OverviewOptions parse_overview(const std::vector<std::string>& args) {
   app.parse_args(args);
   if (options.in_sheets()) options.plan = true;
   check_kind(app, options.plan);
+  check_sheets(options);
   if (!(options.tilt_deg >= kFlattest_deg && options.tilt_deg <= 90))
     throw InputError("--tilt: give degrees from 5, nearly level, to 90, straight down");
   set_defaults(options);

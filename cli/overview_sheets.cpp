@@ -151,7 +151,11 @@ int make_sheets(OverviewOptions options) {
     part.size_px = sheets[i].pixels.size_px;
     ViewOptions of_sheet = of_view;
     of_sheet.output = paths[i];
-    make_sheet(std::move(of_sheet), view, dem, part, sheets[i].name);
+    try {
+      make_sheet(std::move(of_sheet), view, dem, part, sheets[i].name);
+    } catch (const Interrupted&) {
+      throw Interrupted{i > 0 ? paths[i - 1] : std::string()};
+    }
   }
   return 0;
 }

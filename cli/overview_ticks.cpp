@@ -57,8 +57,9 @@ double round_length(double length) {
 std::string coordinate_text(CoordinateKind kind, int axis, double value, double step) {
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - kRounding)), 0, 9);
   const double half = 0.5 * std::pow(10.0, -decimals);
-  if (std::abs(value) < half) value = 0;
   const bool signless = kind == CoordinateKind::degrees;
+  if (signless && std::abs(value) > 180 + half) value = std::remainder(value, 360.0);
+  if (std::abs(value) < half) value = 0;
   std::array<char, 64> number{};
   std::snprintf(number.data(), number.size(), "%.*f", decimals, signless ? std::abs(value) : value);
   if (kind == CoordinateKind::plain) return (axis == 0 ? "x " : "y ") + std::string(number.data());

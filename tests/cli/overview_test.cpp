@@ -138,6 +138,8 @@ TEST(OverviewTicks, AreToldInWords) {
   EXPECT_EQ(coordinate_text(CoordinateKind::degrees, 0, -7.2, 0.2), "7.2° W");
   EXPECT_EQ(coordinate_text(CoordinateKind::degrees, 1, 48, 0.25), "48.0° N");
   EXPECT_EQ(coordinate_text(CoordinateKind::degrees, 0, -1e-12, 0.5), "0.0° E");
+  EXPECT_EQ(coordinate_text(CoordinateKind::degrees, 0, 180.0329, 0.0008), "179.9671° W");
+  EXPECT_EQ(coordinate_text(CoordinateKind::degrees, 0, 180, 0.01), "180.00° E");
   EXPECT_EQ(coordinate_text(CoordinateKind::grid, 1, 776000, 2000), "776000 N");
   EXPECT_EQ(coordinate_text(CoordinateKind::plain, 0, -0.5, 0.1), "x -0.5");
   EXPECT_EQ(round_length(4999), 2000);
@@ -233,6 +235,8 @@ TEST_F(Sheets, AreRefusedBeforeAnyIsWritten) {
   EXPECT_EQ(outputs(), std::vector<std::string>{"hills_1_1.tif"});
   expect_refused(run(words("overview hills.tif --tiles 2x2 -o map.tif")), {"map.tif", "{name}"});
   expect_refused(run(words("overview hills.tif --tiles 99x2")), {"--tiles", "41x41"});
+  expect_refused(run(words("overview hills.tif --tiles 0x2")), {"--tiles"});
+  expect_refused(run(words("overview hills.tif --tile-size 10x0")), {"--tile-size"});
   EXPECT_THROW(static_cast<void>(sheet_path("{name}.tif", "../up")), InputError);
   EXPECT_THROW(static_cast<void>(sheet_path("{name}.tif", "")), InputError);
 }

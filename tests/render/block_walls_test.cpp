@@ -111,6 +111,32 @@ TEST_P(Walls, CloseTheBlock) {
   }
 }
 
+// Rounding decides whether a ray to the very edge of the ground meets that or the wall: one of them
+// it meets, there and then.
+TEST_P(Walls, LeaveNoCrackUnderTheGround) {
+  Random random(13);
+  const HeightGrid grid = make_grid(37, 23, [](int column, int row) {
+    return 300 + 9 * std::sin(column * 0.7) * std::cos(row * 0.9) + column / 3.0;
+  });
+  const Block block(grid, GetParam());
+  for (int i = 0; i < 20'000; ++i) {
+    const double along = random.chance(0.2) ? random.integer(1, 21) : random.uniform(0.01, 21.99);
+    const int row = static_cast<int>(along);
+    const double share = along - row;
+    const double height_m = grid.at(0, row) * (1 - share) + grid.at(0, row + 1) * share;
+    const glm::dvec3 edge_m(ground_of(block.place, {0, along}), 1.5 * height_m - kEye_m);
+    const double azimuth = random.uniform(0.6, 2.5);
+    const glm::dvec3 down =
+        glm::normalize(glm::dvec3(std::sin(azimuth), std::cos(azimuth), -random.uniform(2, 6)));
+    const Ray ray{edge_m - random.uniform(1000, 90'000) * down, down};
+    const RayHits hits = block.meet(ray);
+    ASSERT_TRUE(hits.ground[0] || hits.meets_object(0)) << "at " << along;
+    const glm::dvec3 met_m =
+        hits.ground[0] ? hits.ground[0]->position_m : hits.objects[0]->surface.position_m;
+    ASSERT_LT(glm::distance(met_m, edge_m), 1e-3);
+  }
+}
+
 // A wall is met on an edge that has ground on its far side alone, from its upper edge downwards.
 TEST_P(Walls, StandOnEdgesOfGround) {
   Random random(12);
