@@ -11,6 +11,7 @@
 #include "render/objects/scene_objects.h"
 #include "render/pixel_tracer.h"
 #include "render/view_front.h"
+#include "render/water.h"
 
 namespace terrview {
 namespace {
@@ -38,6 +39,7 @@ std::vector<LinePoint> LineTracer::at(std::span<const glm::dvec2> image_px) cons
   TraceCounts traced;
   ObjectCounts met;
   RayHits hits{.ground = trace_rays(*scene_.terrain, front_.get(), rays, traced)};
+  meet_water(scene_, rays, hits);
   meet_objects(scene_, rays, hits, met);
   std::vector<LinePoint> points(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -49,7 +51,8 @@ std::vector<LinePoint> LineTracer::at(std::span<const glm::dvec2> image_px) cons
       point.normal = hit.surface.normal;
     } else if (hits.ground[i]) {
       const Hit& hit = *hits.ground[i];
-      point = {LinePoint::kGround, hit.grid, hit.distance_m, hit.uv, {0, 0, 0}};
+      const std::int32_t thing = hits.meets_water(i) ? LinePoint::kWater : LinePoint::kGround;
+      point = {thing, hit.grid, hit.distance_m, hit.uv, {0, 0, 0}};
     } else {
       point.distance_m = kInfinity;
     }
@@ -66,7 +69,7 @@ double LineTracer::gap(const LinePoint& a, const LinePoint& b) const {
   if (a.thing == LinePoint::kSky) return 0;
   const double near_m = std::min(a.distance_m, b.distance_m);
   const double jump_m = std::abs(a.distance_m - b.distance_m);
-  if (a.thing == LinePoint::kGround)
+  if (a.thing <= LinePoint::kGround)
     return jump_m / std::max(kPosts * post_m(a.grid), kShare * near_m);
   return std::max(jump_m / std::max(kObject_m, kShare * near_m),
                   glm::distance(a.normal, b.normal) / kCrease);

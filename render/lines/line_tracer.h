@@ -18,11 +18,12 @@ namespace terrview {
 
 // What the ray through a point of the picture meets.
 struct LinePoint {
+  static constexpr std::int32_t kWater = -2;
   static constexpr std::int32_t kSky = -1;
   static constexpr std::int32_t kGround = 0;  // objects have numbers above it
 
   std::int32_t thing = kSky;
-  int grid = 0;                // of the ground
+  int grid = 0;                // of the ground, that under water too
   double distance_m = 0;       // along the ray; infinite for the sky
   glm::dvec2 uv{0, 0};         // of the ground
   glm::dvec3 normal{0, 0, 0};  // of objects

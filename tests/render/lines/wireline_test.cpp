@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include <glm/geometric.hpp>
 
 #include "render/objects/box.h"
 #include "render/objects/make_object_set.h"
 #include "render/objects/scene_objects.h"
+#include "render/water.h"
 #include "tests/render/hills.h"
 
 namespace terrview {
@@ -205,6 +207,35 @@ TEST(WirelineObjects, HideWhatIsBehindThem) {
   const Scene screened = with_box(ground, {{-1000, 50, -1000}, {1000, 60, 1000}});
   EXPECT_GT(total_length_px(trace_wireline(ground, camera), LineKind::grid), 500);
   EXPECT_EQ(total_length_px(trace_wireline(screened, camera), LineKind::grid), 0);
+}
+
+// The grid under water is not drawn, and the shore is.
+TEST(WirelineOfWater, EndsAtItsShore) {
+  constexpr double kEye_m = 620;
+  constexpr double kLevel_m = 300;
+  Scene scene = scene_over(hills_grid(), kEye_m);
+  const Camera camera({.pitch_rad = -8 * kRadians, .size_px = kSize_px});
+  const auto height_m = [&](glm::dvec2 at_px) {
+    const auto hit = scene.terrain->first_hit(camera.ray(at_px));
+    return hit ? hit->position_m.z + kEye_m : std::numeric_limits<double>::infinity();
+  };
+  const auto drowned = [&](const Wireline& wireline) {
+    int count = 0;
+    for (const ViewLine& line : wireline.lines)
+      for (const glm::dvec2& at_px : line.points_px)
+        if (line.kind == LineKind::grid && height_m(at_px) < kLevel_m - 5) ++count;
+    return count;
+  };
+  const int dry = drowned(trace_wireline(scene, camera));
+  EXPECT_GT(dry, 50);
+  scene.water = std::make_shared<const Water>(Water{.level_m = kLevel_m});
+  const Wireline wireline = trace_wireline(scene, camera);
+  EXPECT_LT(drowned(wireline), dry / 20);
+  int shore = 0;
+  for (const ViewLine& line : wireline.lines)
+    for (const glm::dvec2& at_px : line.points_px)
+      if (line.kind == LineKind::silhouette && std::abs(height_m(at_px) - kLevel_m) < 1) ++shore;
+  EXPECT_GT(shore, 20);
 }
 
 TEST(WirelineOfTheSky, IsEmpty) {
