@@ -15,7 +15,6 @@
 namespace terrview {
 namespace {
 
-
 void redirect(int stream, const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (file < 0 || ::dup2(file, stream) < 0) ::_exit(126);
