@@ -17,6 +17,8 @@ namespace {
 
 // Of a post: points so near a corner belong to the walls on both sides of it.
 constexpr double kAtCorner_posts = 1e-6;
+// Of a post: what lies just outside a wall, or just inside.
+constexpr double kBeside_posts = 1e-6;
 
 bool has_ground(const HeightGrid& grid, glm::ivec2 cell) {
   return cell.x >= 0 && cell.y >= 0 && cell.x < grid.columns - 1 && cell.y < grid.rows - 1 &&
@@ -134,12 +136,17 @@ Box BlockWalls::bounds() const {
   return {{-reach_m, plinth_z_m_ - over_m}, {reach_m, top_z_m_ + over_m}};
 }
 
-bool BlockWalls::covered(std::size_t but, const glm::dvec2& ground_m) const {
+bool BlockWalls::covered(std::size_t layer, const glm::dvec2& ground_m,
+                         const glm::dvec2& outward_m) const {
   for (std::size_t i = 0; i < layers_.size(); ++i) {
+    if (i == layer) continue;
     const Walls& other = layers_[i];
-    const glm::dvec2 uv = other.origin_uv + other.jacobian * ground_m;
-    if (i != but && other.grid->covers(uv) && has_ground(*other.grid, cell_of(*other.grid, uv)))
-      return true;
+    const auto goes_on = [&](const glm::dvec2& at_m) {
+      const glm::dvec2 uv = other.origin_uv + other.jacobian * at_m;
+      return other.grid->covers(uv) && has_ground(*other.grid, cell_of(*other.grid, uv));
+    };
+    // Of walls on one line that of the preferred layer stands.
+    if (goes_on(ground_m + outward_m) || (i < layer && goes_on(ground_m - outward_m))) return true;
   }
   return false;
 }
@@ -167,9 +174,11 @@ std::optional<SurfaceHit> BlockWalls::first_crossing(std::size_t layer, int axis
     if (!(distance_m >= 0 && distance_m <= ray.length_m)) continue;
     const Crossing crossing(*this, walls, axis, line, ray, distance_m, forward);
     const auto below_m = crossing.below_top_m();
-    if (!below_m || covered(layer, glm::dvec2(crossing.position_m()))) continue;
-    const glm::dvec2 inward(walls.jacobian[0][axis], walls.jacobian[1][axis]);
-    const glm::dvec2 normal = glm::normalize(forward ? -inward : inward);
+    if (!below_m) continue;
+    const glm::dvec2 posts_per_m(walls.jacobian[0][axis], walls.jacobian[1][axis]);
+    const glm::dvec2 normal = glm::normalize(forward ? -posts_per_m : posts_per_m);
+    const glm::dvec2 outward_m = normal * (kBeside_posts / glm::length(posts_per_m));
+    if (covered(layer, glm::dvec2(crossing.position_m()), outward_m)) continue;
     const double over_plinth_m = crossing.position_m().z - plinth_z_m_;
     const Part part = std::min(*below_m, over_plinth_m) < line_m_ ? kLine : kFace;
     return SurfaceHit{distance_m, crossing.position_m(), {normal, 0}, part};

@@ -3,7 +3,8 @@
 // A wall stands on each edge of a cell that has ground on one side alone: along the outermost
 // posts, and about whatever has no data, so that open voids are holes through the block with walls
 // of their own. Its upper edge is the line between the two posts, which is the ground's there under
-// every surface model. Where another layer has ground just there, there is no wall.
+// every surface model. Where another layer goes on just outside there is no wall, and where layers
+// end on one line there is that of the preferred one.
 //
 // Walls are met from outside alone, and reach over the ground by kOver of the numbers that their
 // place is made of, several times the rounding of either: no ray slips between them and the ground
@@ -45,7 +46,9 @@ class BlockWalls final : public Object {
   };
   class Crossing;
 
-  [[nodiscard]] bool covered(std::size_t but, const glm::dvec2& ground_m) const;
+  // Whether a layer has no wall at a place on its edge; `outward_m` leads to just outside.
+  [[nodiscard]] bool covered(std::size_t layer, const glm::dvec2& ground_m,
+                             const glm::dvec2& outward_m) const;
   [[nodiscard]] std::optional<SurfaceHit> first_crossing(std::size_t layer, int axis,
                                                          const Ray& ray) const;
 

@@ -205,5 +205,43 @@ TEST(WallsOfLayers, LeaveOutWhereAnotherLayerGoesOn) {
   EXPECT_NEAR(walls.first_hit(into_east)->position_m.x, 950, 1e-6);
 }
 
+TEST(WallsOfLayers, StandWhereTwoEndOnOneLineAsHighAsThePreferredGround) {
+  constexpr double kSide_m = 2000;
+  const glm::dvec2 west_north_m(-740, 1220);  // of the eye
+  const auto layer = [&](int cells, double height_m) {
+    const double spacing_m = kSide_m / cells;
+    return make_layer(
+        make_grid(cells + 1, cells + 1, [=](int, int) { return height_m; }),
+        {.eye_uv = {740 / spacing_m, 1220 / spacing_m}, .spacing_m = {spacing_m, spacing_m}});
+  };
+  const TerrainLayer fine = layer(43, 100);
+  const TerrainLayer coarse = layer(20, 80);
+  Random random(15);
+  for (const bool fine_first : {true, false}) {
+    const std::vector<TerrainLayer> layers =
+        fine_first ? std::vector{fine, coarse} : std::vector{coarse, fine};
+    const BlockWalls walls(
+        std::make_shared<const Terrain>(layers, VerticalFrame{.eye_height_m = 1000},
+                                        SurfaceModel::hyperboloid),
+        -2000, 1);
+    for (int i = 0; i < 4000; ++i) {
+      const double along_m = random.uniform(1, kSide_m - 1);
+      const double across_m = random.integer(0, 1) * kSide_m;
+      const glm::dvec2 place_m =
+          random.chance(0.5) ? glm::dvec2(along_m, across_m) : glm::dvec2(across_m, along_m);
+      const glm::dvec2 inward =
+          glm::normalize(kSide_m / 2 - place_m + glm::dvec2(random.uniform(-400, 400)));
+      const double height_m = random.uniform(-900, 120);
+      const glm::dvec3 edge_m(west_north_m + place_m * glm::dvec2(1, -1), height_m - 1000);
+      const glm::dvec3 level(inward * glm::dvec2(1, -1), 0);
+      const auto wall = walls.first_hit({edge_m - 3000.0 * level, level});
+      ASSERT_EQ(wall.has_value(), height_m < (fine_first ? 100 : 80)) << height_m;
+      if (wall) {
+        ASSERT_LT(glm::distance(wall->position_m, edge_m), 1e-6);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace terrview
