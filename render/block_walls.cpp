@@ -187,10 +187,11 @@ std::optional<SurfaceHit> BlockWalls::first_crossing(std::size_t layer, int axis
 }
 
 std::optional<SurfaceHit> BlockWalls::first_hit(const Ray& ray) const {
+  const Ray unit{ray.origin_m, glm::normalize(ray.direction), ray.length_m};
   std::optional<SurfaceHit> nearest;
   for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
     for (const int axis : {0, 1}) {
-      const auto hit = first_crossing(layer, axis, ray);
+      const auto hit = first_crossing(layer, axis, unit);
       if (hit && (!nearest || hit->distance_m < nearest->distance_m)) nearest = hit;
     }
   }

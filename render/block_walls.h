@@ -49,6 +49,7 @@ class BlockWalls final : public Object {
   // Whether a layer has no wall at a place on its edge; `outward_m` leads to just outside.
   [[nodiscard]] bool covered(std::size_t layer, const glm::dvec2& ground_m,
                              const glm::dvec2& outward_m) const;
+  // Of a ray whose direction is of unit length.
   [[nodiscard]] std::optional<SurfaceHit> first_crossing(std::size_t layer, int axis,
                                                          const Ray& ray) const;
 

@@ -183,6 +183,31 @@ TEST_P(Walls, StandOnEdgesOfGround) {
   EXPECT_GT(met, 300);
 }
 
+TEST_P(Walls, AreMetInMetresWhateverTheLengthOfADirection) {
+  const Block block(make_grid(9, 7, [](int column, int row) { return 5.0 * column - 3 * row; }),
+                    GetParam());
+  const BlockWalls walls(block.scene.terrain, block.plinth_z_m, 1);
+  Random random(14);
+  int met = 0;
+  for (int i = 0; i < 500; ++i) {
+    const glm::dvec2 uv(random.uniform(-1, 9), random.uniform(-1, 7));
+    const Ray ray = ray_to({ground_of(block.place, uv), block.plinth_z_m + 1}, random);
+    const double length = random.log_uniform(1e-4, 1e4);
+    const Ray longer{ray.origin_m, length * ray.direction};
+    const auto hit = walls.first_hit(ray);
+    const auto found = walls.first_hit(longer);
+    ASSERT_EQ(found.has_value(), hit.has_value());
+    if (!hit) continue;
+    ++met;
+    EXPECT_NEAR(found->distance_m, hit->distance_m, 1e-6);
+    EXPECT_LT(glm::distance(found->position_m, hit->position_m), 1e-6);
+    const double to_wall_m = hit->distance_m;
+    EXPECT_TRUE(walls.first_hit({ray.origin_m, longer.direction, to_wall_m + 1e-3}));
+    EXPECT_FALSE(walls.first_hit({ray.origin_m, longer.direction, to_wall_m - 1e-3}));
+  }
+  EXPECT_GT(met, 100);
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, Walls, testing::ValuesIn(kSurfaceModels),
                          [](const auto& tested) { return std::string(name_of(tested.param)); });
 
