@@ -237,15 +237,16 @@ TEST(EyeFront, IsTightOverAPlain) {
                   1e-6);
 }
 
-TEST(EyeFront, FindsTheRingOfADistance) {
-  for_each_front(7, straight, [](Random& random, const WholeFront& whole) {
-    const auto rings_m = whole.front().ring_m();
-    for (int i = 0; i < 50; ++i) {
-      const double at_m = random.uniform(0, rings_m.back());
-      const auto ring = static_cast<std::size_t>(whole.ring_of(at_m));
-      EXPECT_LE(rings_m[ring], at_m);
-      EXPECT_GT(rings_m[ring + 1], at_m);
-    }
+TEST(EyeFront, KnowsTheRingOfEveryStep) {
+  for_each_front(7, straight, [](Random& /*random*/, const WholeFront& whole) {
+    const EyeFront& front = whole.front();
+    const auto rings_m = front.ring_m();
+    for (std::size_t ring = 1; ring < rings_m.size(); ++ring)
+      EXPECT_GE(rings_m[ring] - rings_m[ring - 1], front.step_m());
+    const auto rings = front.ring_at_step();
+    EXPECT_GE(static_cast<double>(rings.size()) * front.step_m(), rings_m.back());
+    for (std::size_t step = 0; step < rings.size(); ++step)
+      EXPECT_EQ(rings[step], whole.ring_of(static_cast<double>(step) * front.step_m()));
   });
 }
 
