@@ -49,7 +49,8 @@ class FrontSearch {
     return {ring, hn::Max(ring_at(known), down_m) - of(front_.margin_m())};
   }
 
-  // The ring in which a distance lies, or within rounding the one before.
+  // The ring in which a distance lies, or within rounding the one before or after: the bound of a
+  // ring holds from EyeFront::margin_m() before it on.
   HWY_INLINE V ring_of(V distance_m) const {
     const std::span<const std::int32_t> rings = front_.ring_at_step();
     const V step = hn::Min(hn::Floor(distance_m * of(1 / front_.step_m())),
