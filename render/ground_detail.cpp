@@ -1,18 +1,14 @@
 #include "render/ground_detail.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "render/drape.h"
 
 namespace terrview {
-namespace {
-
-// Footprints longer than this many times their width count as so long: further, nothing is seen.
-constexpr double kLongest = 256;
-
-}  // namespace
 
 GroundDetail::GroundDetail(const Terrain& terrain, MeansOfGrids known) {
   for (const TerrainLayer& layer : terrain.layers()) {
@@ -25,10 +21,8 @@ GroundDetail::GroundDetail(const Terrain& terrain, MeansOfGrids known) {
 GroundDetail::Ground GroundDetail::seen(const Terrain& terrain, const Ray& ray, const Hit& hit,
                                         double width_m, const Ground& exact) const {
   const Layer& layer = layers_[static_cast<std::size_t>(hit.grid)];
-  // From straight above a pixel covers the same posts whatever the slope.
-  const bool plumb = glm::dvec2(ray.direction) == glm::dvec2(0);
-  const double facing = plumb ? 1 : std::abs(glm::dot(exact.normal, glm::normalize(ray.direction)));
-  const double side_m = width_m / std::sqrt(std::max(facing, 1 / kLongest));
+  const double side_m =
+      width_m * std::sqrt(std::abs(glm::determinant(footprint(ray.direction, exact.normal))));
   if (side_m <= layer.post_m) return exact;
   const double level = std::log2(side_m / layer.post_m);
   const auto mean = layer.means->at(level, hit.uv);

@@ -22,8 +22,8 @@ class GroundDetail {
   };
 
   // What a pixel `width_m` wide sees of the ground at a hit of `ray`: `exact` where it covers no
-  // more than a post, the mean over its footprint where it does. A footprint seen at a slant counts
-  // by its area.
+  // more than a post, the mean over its footprint where it does. A footprint counts by its area on
+  // the map.
   [[nodiscard]] Ground seen(const Terrain& terrain, const Ray& ray, const Hit& hit, double width_m,
                             const Ground& exact) const;
 

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/plan.h"
 #include "tests/render/hills.h"
 
 namespace terrview {
@@ -69,6 +70,53 @@ TEST(GroundDetail, LeavesNearGroundAsItIs) {
     EXPECT_EQ(with.image.pixels()[i], without.image.pixels()[i]);
   }
   EXPECT_GT(near, 1000);
+}
+
+// The area on the map of what a square 1 wide across parallel rays covers of a plane.
+double covered(const glm::dvec3& direction, const glm::dvec3& normal) {
+  const glm::dvec3 away = glm::normalize(direction);
+  const glm::dvec3 across = glm::normalize(glm::cross(away, glm::dvec3(0.3, 0.5, 0.1)));
+  const auto on_plane = [&](double x, double y) {
+    const glm::dvec3 from = x * across + y * glm::cross(away, across);
+    return glm::dvec2(from - away * (glm::dot(from, normal) / glm::dot(away, normal)));
+  };
+  const glm::dvec2 a = on_plane(1, 1) - on_plane(0, 0);
+  const glm::dvec2 b = on_plane(1, 0) - on_plane(0, 1);
+  return std::abs(a.x * b.y - a.y * b.x) / 2;
+}
+
+TEST(GroundDetail, CountsAPixelByItsAreaOnTheMap) {
+  const Scene scene = rough_scene(true);
+  const Hit hit = scene.terrain->first_hit({.direction = {0.01, 0.02, -1}}).value();
+  const Ray plumb{.direction = {0, 0, -1}};
+  for (const glm::dvec3& normal : {glm::dvec3(0, 0, 1), {0.6, 0, 0.8}, {-0.7, 0.7, 0.14}}) {
+    const GroundDetail::Ground exact{glm::normalize(normal), 7};
+    for (const glm::dvec3& direction :
+         {glm::dvec3(0, 0, -3), {1e-9, 0, -1}, {0.2, -0.1, -1}, {3, 5, -2}}) {
+      for (const double width_m : {11.0, 17.0, 45.0}) {
+        const double side_m = width_m * std::sqrt(covered(direction, exact.normal));
+        const Ray ray{.direction = direction};
+        const auto seen = scene.detail->seen(*scene.terrain, ray, hit, width_m, exact);
+        const auto expected = scene.detail->seen(*scene.terrain, plumb, hit, side_m, exact);
+        EXPECT_LT(glm::distance(seen.normal, expected.normal), 1e-6);
+        EXPECT_NEAR(seen.height_m, expected.height_m, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(GroundDetail, ShowsFromStraightAboveWhatAMapShows) {
+  const Scene scene = rough_scene(true);
+  const Camera camera({.projection = Projection::orthographic,
+                       .pitch_rad = -90 * kRadians,
+                       .width_m = 1000,
+                       .size_px = {40, 40}});
+  const Image picture = render(scene, camera).image;
+  // Pixels of 2.5 posts about the post (200, 200).
+  const PlanFrame map =
+      render_plan(scene, {.size_px = {40, 40}, .corner_uv = {150, 150}, .step_uv = {2.5, 2.5}});
+  for (std::size_t i = 0; i < picture.pixels().size(); ++i)
+    ASSERT_LT(glm::distance(picture.pixels()[i], map.image.pixels()[i]), 1e-4F) << i;
 }
 
 TEST(GroundDetail, TakesOverWithoutAStep) {
