@@ -37,14 +37,28 @@ class Clearance {
   double scene_height_m_;
 };
 
-// Where the parabola through three points, `middle` half-way to `end_m`, is lowest; nullopt unless
-// that is between them.
-std::optional<double> lowest_between(double begin, double middle, double end, double end_m) {
+// Where the parabola through the ends and the middle of a span is lowest, which may be beside it;
+// nullopt where it has no lowest point.
+std::optional<double> lowest_of_parabola(const Clearance& clearance, double from_m, double to_m) {
+  const double begin = clearance.at(from_m);
+  const double middle = clearance.at(0.5 * (from_m + to_m));
+  const double end = clearance.at(to_m);
   const double bend = begin - 2 * middle + end;
   if (!(bend > 0)) return std::nullopt;
-  const double at_m = end_m * (3 * begin - 4 * middle + end) / (4 * bend);
-  if (!(at_m > 0 && at_m < end_m)) return std::nullopt;
-  return at_m;
+  return from_m + (to_m - from_m) * (3 * begin - 4 * middle + end) / (4 * bend);
+}
+
+// Where a ray comes nearest to a level surface of the curved Earth, if that is before its end. A
+// parabola is off by some 100 m of 400 km; one about its lowest point is not.
+std::optional<double> lowest_before(const Clearance& clearance, double end_m) {
+  constexpr double kDoubt = 1.0 / 64;
+  const double doubt_m = kDoubt * end_m;
+  const auto about_m = lowest_of_parabola(clearance, 0, end_m);
+  if (!about_m || *about_m < -doubt_m || *about_m > end_m + doubt_m) return std::nullopt;
+  const double near_m = std::clamp(*about_m, doubt_m, end_m - doubt_m);
+  const auto lowest_m = lowest_of_parabola(clearance, near_m - doubt_m, near_m + doubt_m);
+  if (!lowest_m || !(*lowest_m > 0 && *lowest_m < end_m)) return std::nullopt;
+  return lowest_m;
 }
 
 // The zero between `above` and `below`, by false position (the Illinois rule).
@@ -147,7 +161,7 @@ std::optional<double> descent_m(const VerticalFrame& frame, const Ray& ray, doub
   if (!(begin > 0)) return std::nullopt;
   if (end <= 0) return zero_between(clearance, 0, end_m);
   if (frame.is_flat()) return std::nullopt;
-  const auto lowest_m = lowest_between(begin, clearance.at(end_m / 2), end, end_m);
+  const auto lowest_m = lowest_before(clearance, end_m);
   if (!lowest_m || clearance.at(*lowest_m) > 0) return std::nullopt;
   return zero_between(clearance, 0, *lowest_m);
 }

@@ -37,7 +37,7 @@ struct Water {
 void meet_water(const Scene& scene, std::span<const Ray> rays, RayHits& hits);
 
 // Where a ray that begins above a level surface first comes down to it, metres along it and at most
-// `end_m`; nullopt if it does not.
+// `end_m`; nullopt if it does not, or dips under it by less than 1e-6 m.
 [[nodiscard]] std::optional<double> descent_m(const VerticalFrame& frame, const Ray& ray,
                                               double scene_height_m, double end_m);
 

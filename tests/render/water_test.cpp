@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include <glm/geometric.hpp>
 
@@ -169,45 +168,11 @@ TEST(Water, IsNotSeenFromBesideTheGroundBelowItsLevel) {
   EXPECT_NEAR(hits.ground[1]->position_m.z, -10, 1e-9);
 }
 
-VerticalFrame earth(double eye_height_m, double refraction) {
-  return {.eye_height_m = eye_height_m,
-          .north_curvature_per_m = 1 / 6371000.0,
-          .east_curvature_per_m = 1 / 6371000.0,
-          .refraction = refraction};
-}
-
-TEST(WaterLevel, FollowsTheEarthsDrop) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> share(0, 1);
-  int met = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const double eye_m = 2 + 3000 * share(random) * share(random);
-    const VerticalFrame frame = earth(eye_m, 0.3 * share(random));
-    const double dip = 0.2 * share(random) * share(random);
-    const double turn = 6.28 * share(random);
-    const Ray ray{{0, 0, 0}, {3 * std::sin(turn), 3 * std::cos(turn), -3 * dip}};
-    const double end_m = 400'000;
-    const auto along_m = descent_m(frame, ray, 0, end_m);
-    const auto height_at = [&](double along) {
-      const glm::dvec3 point = along * glm::normalize(ray.direction);
-      return frame.at(glm::dvec2(point)).scene_height_m(point.z);
-    };
-    if (along_m) {
-      ++met;
-      EXPECT_NEAR(height_at(*along_m), 0, 1e-5);
-      for (const double before : {0.1, 0.5, 0.9, 0.999}) EXPECT_GT(height_at(before * *along_m), 0);
-    } else {
-      // The lowest of many points is above.
-      for (int k = 0; k <= 1000; ++k) ASSERT_GT(height_at(end_m * k / 1000), -0.05) << dip;
-    }
-  }
-  EXPECT_GT(met, 1000);
-  EXPECT_LT(met, 2900);
-}
-
 // On a curved Earth, for light that goes straight: by true directions alone.
 TEST(WaterMirror, ReflectsAboutThePlumbLineOfThePlace) {
-  const VerticalFrame frame = earth(500, 0);
+  const VerticalFrame frame{.eye_height_m = 500,
+                            .north_curvature_per_m = 1 / 6371000.0,
+                            .east_curvature_per_m = 1 / 6371000.0};
   const HeightGrid level = make_grid(400, 400, [](int, int) { return 0.0; });
   const TerrainLayer layer =
       make_layer(level, {.eye_uv = {200, 399}, .spacing_m = {500, 500}, .eye_height_m = 500});
