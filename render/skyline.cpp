@@ -25,7 +25,7 @@ std::vector<int> skyline_rows(const Scene& scene, const Camera& camera, int thre
     const int column = std::min(i * kStep_px, size.x - 1);
     for (row = 0; row < size.y && !shows_something(scene, camera, {column, row}); row += kStep_px) {
     }
-    row = std::clamp(row - kStep_px + 1, 0, size.y);
+    row = row < size.y ? std::max(0, row - kStep_px + 1) : size.y;
   });
   std::vector<int> rows;
   rows.reserve(static_cast<std::size_t>(size.x));
