@@ -51,8 +51,11 @@ std::optional<glm::ivec2> ground_cell(const HeightGrid& grid, glm::dvec2 uv) {
 
 // No z lies above.
 double highest_m(const Scene& scene) {
-  double highest = scene.terrain->ceiling_m();
-  if (scene.water && scene.water->level_m) highest = std::max(highest, *scene.water->level_m);
+  const Terrain& terrain = *scene.terrain;
+  double highest = terrain.ceiling_m();
+  if (scene.water && scene.water->level_m)
+    highest =
+        std::max(highest, terrain.frame().ceiling_m(*scene.water->level_m, terrain.reach_m()));
   if (!scene.objects) return highest;
   for (const auto& object : scene.objects->set->objects())
     highest = std::max(highest, object->bounds().highest_m.z);

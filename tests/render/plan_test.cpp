@@ -100,6 +100,20 @@ TEST(Plan, ShowsTheWaterOverLowGroundInItsOwnColour) {
   EXPECT_LT(flooded, kPosts * kPosts - 100);
 }
 
+// The Dead Sea risen to the ocean's level, seen from its shore.
+TEST(Plan, HidesWhatIsUnderItsWaterAlsoOverAnEyeBelowSeaLevel) {
+  Scene scene = scene_over(make_grid(30, 30, [](int, int) { return -430.0; }), -400);
+  auto objects = std::make_shared<SceneObjects>();
+  objects->set =
+      std::make_shared<ObjectList>(Objects{std::make_shared<Sphere>(glm::dvec3(0, 900, 0), 300)});
+  objects->looks = {{}};
+  scene.water = std::make_shared<const Water>(Water{.level_m = 0});
+  const PlanLattice lattice{.size_px = {30, 30}};
+  const auto empty = render_plan(scene, lattice).image.pixels();
+  scene.objects = objects;
+  EXPECT_EQ(render_plan(scene, lattice).image.pixels(), empty);
+}
+
 // A post is covered where one of the cells around it is ground.
 TEST(Plan, IsEmptyWhereThereIsNoGround) {
   HeightGrid grid = hills_grid();
