@@ -77,7 +77,7 @@ class Plumb {
   [[nodiscard]] PlanRow row(int row, int sample) const {
     PlanRow found;
     glm::dvec2 near_m(0);
-    const int before = lattice_.first_px.x % kRun_px;
+    const int before = (lattice_.first_px.x % kRun_px + kRun_px) % kRun_px;
     for (int column = -before; column < lattice_.size_px.x; ++column) {
       const glm::ivec2 pixel = lattice_.first_px + glm::ivec2(column, row);
       if (pixel.x % kRun_px == 0) near_m = glm::dvec2(0);

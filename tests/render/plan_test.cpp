@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -179,6 +180,37 @@ TEST(Plan, FindsItsPostsThroughABentMap) {
   const PlanFrame plan = render_plan(scene, {.size_px = {kPosts, kPosts}});
   for (int i = 0; i < kPosts; ++i)
     ASSERT_LT(furthest(plan.image.at(i, 7), scene.tints.at(grid->at(i, 7))), 1e-6F);
+}
+
+// Parts begin within the runs of columns that find their ground one from another, and beside the
+// grid; its swirl is so strong that from the eye some would not.
+TEST(Plan, OfAPartIsThatPartOfTheWholeToTheByte) {
+  Scene scene = scene_with_a_ball();
+  const auto map = std::make_shared<BentGroundMap>(glm::dvec2(60, 60), 100.0, 2e-7, 20000.0);
+  scene.terrain = std::make_shared<Terrain>(
+      std::vector<TerrainLayer>{{scene.terrain->layers().front().grid, map}},
+      VerticalFrame{.eye_height_m = 900}, SurfaceModel::hyperboloid);
+  PlanLattice lattice{.size_px = {260, 40},
+                      .corner_uv = {14.2, 31.3},
+                      .step_uv = {0.43, 1.1},
+                      .first_px = {-90, 3}};
+  const PlanFrame whole = render_plan(scene, lattice);
+  const glm::ivec2 whole_first_px = lattice.first_px;
+  lattice.size_px = {40, 11};
+  for (const glm::ivec2 first_px : {glm::ivec2(-90, 3), {-71, 20}, {-64, 9}, {-1, 3}, {77, 32}}) {
+    lattice.first_px = first_px;
+    const PlanFrame part = render_plan(scene, lattice);
+    const glm::ivec2 offset = first_px - whole_first_px;
+    for (int row = 0; row < lattice.size_px.y; ++row)
+      for (int column = 0; column < lattice.size_px.x; ++column) {
+        ASSERT_EQ(part.image.at(column, row), whole.image.at(offset.x + column, offset.y + row));
+        ASSERT_EQ(part.covered.at(column, row),
+                  whole.covered.at(offset.x + column, offset.y + row));
+      }
+  }
+  const auto& covered = whole.covered.pixels();
+  EXPECT_GT(std::count(covered.begin(), covered.end(), 0), 1000);
+  EXPECT_GT(std::count(covered.begin(), covered.end(), 1), 1000);
 }
 
 TEST(Plan, MeansItsSamplesButForThoseBesideTheGround) {
