@@ -3,9 +3,9 @@
 //
 // Lines are found on the picture: where what the rays through the centres of two pixels meet lies
 // on two sides of a line of the grid, or where one thing ends before another, which more rays
-// between the two place to 1e-4 of a pixel. So nothing hidden is ever drawn, outlines are those of
-// the rendered picture, and the work is that of a picture, whatever the size of the ground. What is
-// thinner than a pixel may be missed.
+// between the two place to 1e-4 of a pixel. So nothing hidden is drawn, but for less than a pixel
+// at outlines; outlines are those of the rendered picture, and the work is that of a picture,
+// whatever the size of the ground. What is thinner than a pixel may be missed.
 #pragma once
 
 #include <functional>
