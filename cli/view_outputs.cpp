@@ -117,7 +117,7 @@ double peak_memory_mib() {
 // The angle of one pixel in the middle of the picture, `reach_m` away if that matters.
 double pixel_rad(const Camera& camera, double reach_m) {
   const bool parallel = camera.options().projection == Projection::orthographic;
-  return parallel ? camera.pixel_size() / reach_m : camera.pixel_size();
+  return parallel ? camera.per_px() / reach_m : camera.per_px();
 }
 
 Json eye_json(const ViewFrame::Eye& eye) {

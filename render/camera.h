@@ -70,10 +70,9 @@ class Camera {
   // Where a point of the view frame falls on the image; nullopt behind the camera.
   [[nodiscard]] std::optional<glm::dvec2> project(const glm::dvec3& point_m) const;
 
+  [[nodiscard]] const CameraOptions& options() const { return options_; }
   // Of one pixel in the middle: on the image plane at distance 1, in radians (cylindrical), or in
   // metres (orthographic).
-  [[nodiscard]] double pixel_size() const { return per_px_; }
-  [[nodiscard]] const CameraOptions& options() const { return options_; }
   [[nodiscard]] double per_px() const { return per_px_; }
   // The picture that this image is a part of: that of the options the camera was made with.
   [[nodiscard]] const glm::ivec2& whole_px() const { return whole_px_; }
