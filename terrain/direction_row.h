@@ -1,4 +1,4 @@
-// The directions of a row of rays, in vectors.
+// The directions of a row of rays of the view frame, of any length, in vectors.
 #pragma once
 
 #include <span>
@@ -12,9 +12,9 @@ struct DirectionRow {
   glm::dvec3 first;
   glm::dvec3 right;
   glm::dvec3 above;
-  double from;
-  double middle;
-  double step;
+  double from;    // in columns
+  double middle;  // in columns
+  double step;    // of `right`, a column
 };
 
 struct DirectionSpans {
