@@ -13,7 +13,7 @@
 namespace terrview {
 namespace {
 
-// Rays of one vertical plane. Where one meets ground, so do all that come before it.
+// Rays of one vertical plane. Where one meets ground, so do all that come before it, but for holes.
 struct Fan {
   std::function<Ray(double at)> ray;
   double middle;  // the ray through the place

@@ -22,6 +22,10 @@ namespace terrview {
 // it; nullopt if that lies more than `reach_m` before it, or is no nearer than `reach_m` to the
 // eye, or an object hides it. So a summit has a point if and only if the ray through that point
 // shows ground within its reach; found by bisection to rounding. It may be outside the picture.
+//
+// This takes the ground to have no holes and to keep within 4 times the reach, up and down, of the
+// height at the place as far as the reach goes: elsewhere a summit that is seen may be found
+// hidden, or a lower point of it.
 [[nodiscard]] std::optional<glm::dvec3> seen_summit(const Scene& scene, const Camera& camera,
                                                     glm::dvec2 ground_m, double reach_m);
 

@@ -138,9 +138,15 @@ TEST(HeightAboveSurroundings, IsThatOverAPlainAndNothingOnIt) {
 }
 
 TEST(SummitReach, IsTwoPostsButThirtyMetresAtLeast) {
-  const Scene scene = dome_scene(0, 20);
-  const Terrain& terrain = *scene.terrain;
-  EXPECT_DOUBLE_EQ(summit_reach_m(terrain, terrain.ground_at(kDome_m).value(), kDome_m), 200);
+  const auto reach_m = [](glm::dvec2 spacing_m) {
+    const Terrain terrain =
+        make_terrain(make_grid(9, 9, [](int, int) { return 0.0; }),
+                     {.eye_uv = {4, 4}, .spacing_m = spacing_m}, SurfaceModel::hyperboloid);
+    return summit_reach_m(terrain, terrain.ground_at({0, 0}).value(), {0, 0});
+  };
+  EXPECT_DOUBLE_EQ(reach_m({100, 60}), 200);
+  EXPECT_DOUBLE_EQ(reach_m({16, 40}), 80);
+  EXPECT_DOUBLE_EQ(reach_m({10, 14}), 30);
 }
 
 }  // namespace
