@@ -88,6 +88,7 @@ class MarchStart {
       const std::uint32_t lanes = lanes_from(i);
       mark(i, bits_of(clearance < of(0)) & lanes, March::stopped, fates);
       mark(i, ~bits_of(clearance == clearance) & lanes, March::undecided, fates);
+      mark(i, bits_of(hn::Or(turns_over(i), at_far_border(i))) & lanes, March::undecided, fates);
     }
   }
 
@@ -119,6 +120,24 @@ class MarchStart {
 
   HWY_INLINE V cell(V uv, int posts) const {
     return hn::Max(of(0), hn::Min(hn::Floor(uv), of(posts - 2)));
+  }
+
+  // Whether a line rises or falls by so much of the Earth's radius within a post that its heights
+  // there, and so its rise, say nothing of those before.
+  HWY_INLINE M turns_over(std::size_t first) const {
+    const VerticalFrame& frame = terrain_.frame();
+    const double curvature = std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
+    const V rate = hn::Max(hn::Abs(get(lines_.rate_u, first)), hn::Abs(get(lines_.rate_v, first)));
+    return hn::Abs(get(lines_.slope, first)) * of(4 * curvature) > rate;
+  }
+
+  // Whether single precision may take the beginning of a line for a place on the last column or
+  // row of posts, which it would leave at once.
+  HWY_INLINE M at_far_border(std::size_t first) const {
+    constexpr double kPlace = 0x1p-18;
+    const HeightGrid& grid = *terrain_.layers()[0].grid;
+    return hn::Or(get(lines_.start_u, first) > of(grid.columns - 1 - kPlace),
+                  get(lines_.start_v, first) > of(grid.rows - 1 - kPlace));
   }
 
   // As GridWalk stands at the beginning of a line; NaN over a hole.
