@@ -37,7 +37,7 @@ struct JobRecord {
 struct Manifest {
   ManifestHeader header;  // the last
   std::vector<JobRecord> records;
-  std::map<int, std::size_t> of_job;             // the last of each
+  std::map<int, std::size_t> of_job;             // the last of each, of the last table
   std::map<std::string, std::size_t> of_output;  // that wrote it last
 };
 
@@ -50,8 +50,8 @@ class ManifestFile {
  public:
   enum class Existing { refuse, go_on, replace };
 
-  // Throws InputError where it cannot be written, exists against `existing`, or another process
-  // writes it.
+  // Throws InputError where it cannot be written, exists against `existing`, holds what is no
+  // manifest, or another process writes it.
   ManifestFile(std::string path, Existing existing);
   ~ManifestFile();
   ManifestFile(const ManifestFile&) = delete;
