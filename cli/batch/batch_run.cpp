@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <filesystem>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -11,6 +10,7 @@
 #include "cli/batch/job_plan.h"
 #include "cli/camera_json.h"
 #include "cli/interrupt.h"
+#include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/view_command.h"
 #include "render/parallel.h"
@@ -80,8 +80,7 @@ class Run {
     ViewOptions options = job.options;
     options.quiet = true;
     options.threads = std::max(1, threads_ / in_flight_);
-    for (const std::filesystem::path path : job.outputs)
-      if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+    for (const std::string& path : job.outputs) make_folder_of(path);
     ViewFiles files(options);
     make_picture(options, ground_.dems, inputs_, files, {});
     for (const std::string& path : job.outputs) {
