@@ -60,7 +60,7 @@ class Furniture {
         block_(block),
         image_(image),
         letter_px_(block.letter_px),
-        path_(options.font.empty() ? usual_font() : options.font),
+        path_(options.view.labels.font.empty() ? usual_font() : options.view.labels.font),
         font_(path_, block.letter_px),
         grid_(dem_, options.ticks) {
     const TerrainLayer& layer = block.view.scene.terrain->layers().front();

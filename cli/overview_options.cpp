@@ -53,7 +53,8 @@ void add_block_options(CLI::App& app, OverviewOptions& options) {
                          {{"own", TickSystem::own}, {"degrees", TickSystem::degrees}},
                          "Coordinates of the first DEM's own system (default) or WGS 84");
   app.add_option("--title", options.title, "Above the block (default: the DEMs' names)");
-  app.add_option("--font", options.font, "A TrueType or OpenType file")->type_name("FILE");
+  app.add_option("--font", options.view.labels.font, "A TrueType or OpenType file")
+      ->type_name("FILE");
   app.add_flag("--plain", options.plain, "The block alone: no title, ticks, arrow and scale");
   app.add_option("--samples", options.view.sampling.samples,
                  "Rays a pixel (default: adaptive; of a map 1)")

@@ -253,10 +253,42 @@ TEST_F(Batch, ThatCannotBeIsRefusedBeforeAnythingIsWritten) {
   refused("jobs.csv --dem hills.tif", {"-o", "{name}.png"});
   refused("jobs.csv --dem hills.tif -o a.png", {"a.png", "job 1 (v1)", "job 2 (v2)"});
   refused("none.csv --dem hills.tif -o {name}.png", {"none.csv"});
+  refused(". --dem hills.tif -o {name}.png", {"'.'", "is a folder"});
+  refused("jobs.csv --dem hills.tif --eye 48,7,+20 -o jobs.csv/{name}.png", {"cannot be made"});
   refused("jobs.csv --dem hills.tif -o {name}.png --shard 3/3", {"--shard 3/3"});
   refused("jobs.csv --dem hills.tif -o {name}.jsonl --of PNG --manifest v2.jsonl", {"job 2 (v2)"});
   refused("jobs.csv --dem hills.tif -o {name}.png --progressive p.png", {"--progressive"});
   refused("--merge a.jsonl", {"-o"});
+}
+
+TEST_F(Batch, WritesOverNoFileThatItReads) {
+  const std::string table = R"([{"name": "jobs", "eye": "48,7,+20"}, {"name": "b"}])";
+  for (const std::string name : {"jobs.json", "jobs.jsonl", "jobs.palette.json"})
+    write_text(path(name), table);
+  const std::string kept = bytes("hills.tif");
+  const auto refused = [&](const std::string& args, const std::string& file) {
+    SCOPED_TRACE(args);
+    for (const std::string how : {"--overwrite", "--resume"})
+      expect_refused(run(words("batch " + args + " " + how + " --dem hills.tif --heading 1")),
+                     {"'" + file + "'", "is read by this batch"});
+  };
+  refused("jobs.json -o {name}.png --manifest hills.tif", "hills.tif");
+  refused("jobs.jsonl -o {name}.png", "jobs.jsonl");
+  refused("jobs.json -o {name}.png --stats {name}.json", "jobs.json");
+  refused(
+      "jobs.palette.json -o {name}.png --palette 4 --shared-palette --manifest m.jsonl "
+      "--stats {name}.palette.json",
+      "jobs.palette.json");
+  EXPECT_EQ(bytes("jobs.jsonl"), table);
+  EXPECT_TRUE(bytes("hills.tif") == kept);
+}
+
+TEST_F(Batch, ThatCannotMakeOneViewHasNotBegun) {
+  write_table(2);
+  for (const std::string more : {"--size 0x9", "--colors none.txt", "--dem none.tif"})
+    expect_refused(run(line(more)), {});
+  expect_refused(run(words("batch jobs.csv --dem hills.tif -o p/{name}.xyz")), {"job 1", "xyz"});
+  EXPECT_EQ(outputs(), std::vector<std::string>{"jobs.csv"});
 }
 
 TEST_F(Batch, SharesOnePaletteWhateverItsShards) {
