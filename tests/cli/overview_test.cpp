@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -234,11 +235,41 @@ TEST_F(Sheets, AreRefusedBeforeAnyIsWritten) {
   expect_refused(run(words("overview hills.tif --tiles 2x2")), {"hills_1_1.tif", "--overwrite"});
   EXPECT_EQ(outputs(), std::vector<std::string>{"hills_1_1.tif"});
   expect_refused(run(words("overview hills.tif --tiles 2x2 -o map.tif")), {"map.tif", "{name}"});
+  expect_refused(run(words("overview hills.tif --tiles 2x2 -o {name}" + std::string(260, 'x'))),
+                 {"cannot be written"});
   expect_refused(run(words("overview hills.tif --tiles 99x2")), {"--tiles", "41x41"});
   expect_refused(run(words("overview hills.tif --tiles 0x2")), {"--tiles"});
   expect_refused(run(words("overview hills.tif --tile-size 10x0")), {"--tile-size"});
-  EXPECT_THROW(static_cast<void>(sheet_path("{name}.tif", "../up")), InputError);
-  EXPECT_THROW(static_cast<void>(sheet_path("{name}.tif", "")), InputError);
+}
+
+TEST_F(Sheets, AreRefusedForAFileBesideAPicture) {
+  write_text(path("m-1_0.pgw"), "mine");
+  expect_refused(run(words("overview hills.tif --tiles 2x1 -o m-{name}.png")),
+                 {"m-1_0.pgw", "--overwrite"});
+  EXPECT_EQ(outputs(), std::vector<std::string>{"m-1_0.pgw"});
+}
+
+TEST_F(Sheets, HaveNamesByTheTemplateOfABatch) {
+  const std::vector<Sheet> sheets{{"a", {}}, {"b", {}}};
+  EXPECT_EQ(sheet_paths("{name}/{index:02}-{name}{{}}.tif", sheets),
+            (std::vector<std::string>{"a/01-a{}.tif", "b/02-b{}.tif"}));
+  for (const std::string pattern : {"map.tif", "{{name}}.tif", "{sheet}.tif", "{name.tif"})
+    EXPECT_THROW(static_cast<void>(sheet_paths(pattern, sheets)), InputError) << pattern;
+  for (const std::string name : {"../up", "", "..", "two\nlines"})
+    EXPECT_THROW(static_cast<void>(sheet_paths("{name}.tif", {{name, {}}})), InputError) << name;
+  const Finished finished = run(words("overview hills.tif -q --tiles 2x1 -o new/{name}.tif"));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(outputs(), std::vector<std::string>{"new"});
+}
+
+TEST_F(Sheets, AreNoFileThatIsRead) {
+  std::filesystem::copy_file(path("hills.tif"), path("0_0.tif"));
+  write_text(path("1_0.tif"),
+             R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":
+             {"name":"1_0"},"geometry":{"type":"Polygon","coordinates":[[[6.9,47.9],[7.1,47.9],
+             [7.1,48.1],[6.9,48.1],[6.9,47.9]]]}}]})");
+  for (const std::string line : {"0_0.tif --tiles 1x1", "hills.tif --sheets 1_0.tif"})
+    expect_refused(run(words("overview --overwrite -o {name}.tif " + line)), {"is read by this"});
 }
 
 TEST_F(Sheets, OfOtherKindsOfOverviewAreRefused) {
