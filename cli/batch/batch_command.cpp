@@ -88,7 +88,8 @@ class LazyGround {
 void share_palette(BatchOptions& options, const Shard& shard, const std::vector<Job>& jobs,
                    LazyGround& lazy) {
   const std::string path = palette_path(options);
-  if (!options.resume || !fs::exists(path)) {
+  std::error_code ignored;
+  if (!options.resume || !fs::exists(path, ignored)) {
     if (!lazy.get().error.empty()) throw InputError(lazy.get().error);
     const Palette palette =
         make_shared_palette(palette_jobs(jobs), lazy.get().dems, options.view.threads);
