@@ -172,6 +172,16 @@ TEST_F(Batch, LosesTheBadRowAlone) {
   EXPECT_TRUE(says(said.at(4).at("error"), {"none.geojson"}));
 }
 
+TEST_F(Batch, SaysAFailureInALineThoughTheNameHasTwo) {
+  write_text(path("jobs.json"), R"([{"name": "a\nb", "eye": "48,7,+20", "heading": "east"},
+                                    {"name": "c", "eye": "48,7,+20"}])");
+  const Finished finished =
+      run(words("batch jobs.json --dem hills.tif -q --size 16x12 --heading 1 -o {index}.png"));
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_TRUE(says(finished.err, {"job 1 (a b): --heading east"}));
+  EXPECT_EQ(finished.err.find('\n'), finished.err.size() - 1) << finished.err;
+}
+
 TEST_F(Batch, OverAVanishedDemFailsAndSaysSo) {
   write_table(3);
   EXPECT_EQ(run(line()).exit_code, 0);
@@ -258,6 +268,9 @@ TEST_F(Batch, ThatCannotBeIsRefusedBeforeAnythingIsWritten) {
   refused("jobs.csv --dem hills.tif -o {name}.png --shard 3/3", {"--shard 3/3"});
   refused("jobs.csv --dem hills.tif -o {name}.jsonl --of PNG --manifest v2.jsonl", {"job 2 (v2)"});
   refused("jobs.csv --dem hills.tif -o {name}.png --progressive p.png", {"--progressive"});
+  for (const std::string name : {"--fps", "--duration", "--speed", "--lift"})
+    refused("jobs.csv --dem hills.tif -o {name}.png " + name + " 2", {name, "--path"});
+  refused("--path jobs.csv --dem hills.tif -o {name}.png --lift 2", {"--lift", "GPX"});
   refused("--merge a.jsonl", {"-o"});
 }
 
@@ -305,6 +318,16 @@ TEST_F(Batch, SharesOnePaletteWhateverItsShards) {
   int lines = 0;
   static_cast<void>(records("whole/jobs.jsonl", &lines));
   EXPECT_EQ(lines, 6);
+}
+
+TEST_F(Batch, SharesThePaletteOfWhatIsCroppedToo) {
+  write_text(path("jobs.csv"), "name,eye,heading\na,\"48,7,+20\",9\n");
+  const std::string crop = "--size 400x300 --crop 300,150,40,30 ";
+  EXPECT_EQ(run(line(crop + "--palette 16 --shared-palette")).exit_code, 0);
+  view("--eye 48,7,+20 --heading 9 --palette 16 --save-palette p.json " + crop);
+  EXPECT_EQ(json("o/jobs.palette.json"), json("p.json"));
+  const std::string wide = "--size 2000x1500 --crop 1000,749,999,1 ";
+  EXPECT_EQ(run(line(wide + "--palette 16 --shared-palette", "wide")).exit_code, 0);
 }
 
 TEST_F(Batch, OfAPathMakesFramesAndSaysHowToFilm) {
