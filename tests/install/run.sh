@@ -8,6 +8,6 @@ trap 'rm -rf "$folder"' EXIT
 cmake --install "$1" --prefix "$folder" --component program >"$folder/log"
 cd "$folder/share/doc/terrview"
 test -s LICENSE
-pictures=$(grep -oh 'images/[^)]*' ./*.md | sort -u)
+pictures=$(sed -n 's/.*](\(images\/[^) ]*\)).*/\1/p' ./*.md | sort -u)
 test "$(wc -w <<<"$pictures")" -gt 20
 for picture in $pictures; do test -s "$picture"; done
