@@ -4,6 +4,7 @@
 #include <set>
 #include <system_error>
 
+#include "cli/batch/manifest.h"
 #include "cli/batch/output_template.h"
 #include "cli/input_files.h"
 #include "terrain/error.h"
@@ -69,6 +70,7 @@ void check_batch_files(const BatchOptions& options, const Shard& shard,
                          "': exists already: give --overwrite to replace it, or --resume to go on");
     }
   }
+  if (!replaces) check_is_new(manifest_path(options, shard));
 }
 
 }  // namespace terrview

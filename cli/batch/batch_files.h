@@ -17,7 +17,7 @@ namespace terrview {
 [[nodiscard]] std::string palette_path(const BatchOptions& options, const std::string& suffix = "");
 
 // Throws InputError if the batch would write over a file that it reads, or two of its own over one
-// another, or, unless it replaces them, if outputs of the shard exist.
+// another, or, unless it replaces them, if outputs or the manifest of the shard exist.
 void check_batch_files(const BatchOptions& options, const Shard& shard,
                        const std::vector<Job>& jobs);
 

@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -109,6 +111,14 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
   return manifest;
 }
 
+void check_is_new(const std::string& path) {
+  std::error_code none;
+  const auto bytes = std::filesystem::file_size(path, none);
+  if (!none && bytes > 0)
+    throw InputError("'" + path +
+                     "': exists already: give --resume to go on with it, or --overwrite");
+}
+
 ManifestFile::ManifestFile(std::string path, Existing existing)
     : path_(std::move(path)),
       file_(::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
@@ -124,9 +134,7 @@ ManifestFile::ManifestFile(std::string path, Existing existing)
     Manifest held = parse_manifest(text.substr(0, whole), path_);
     if (whole == 0 && !may_begin_header(text))
       throw InputError("'" + path_ + "': is no manifest: name another file");
-    if (!text.empty() && existing == Existing::refuse)
-      throw InputError("'" + path_ +
-                       "': exists already: give --resume to go on with it, or --overwrite");
+    if (existing == Existing::refuse) check_is_new(path_);
     const std::size_t kept = existing == Existing::go_on ? whole : 0;
     if (existing == Existing::go_on) before_ = std::move(held);
     if (::ftruncate(file_, static_cast<off_t>(kept)) != 0)

@@ -45,6 +45,9 @@ struct Manifest {
 // Throws InputError for other lines that are none of a manifest.
 [[nodiscard]] Manifest parse_manifest(std::string_view text, const std::string& name);
 
+// Throws InputError if the file exists; an empty one is none.
+void check_is_new(const std::string& path);
+
 // A manifest that is being written; one process at a time.
 class ManifestFile {
  public:

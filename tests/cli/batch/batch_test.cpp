@@ -151,7 +151,8 @@ TEST_F(Batch, RefusesWhatIsThereUnlessResumedOrOverwritten) {
   expect_refused(run(line()), {"o/v1.png", "--overwrite", "--resume"});
   fs::remove(path("o/v1.png"));
   fs::remove(path("o/v2.png"));
-  expect_refused(run(line()), {"o/jobs.jsonl", "--resume"});
+  expect_refused(run(line("--palette 4 --shared-palette")), {"o/jobs.jsonl", "--resume"});
+  EXPECT_FALSE(fs::exists(path("o/jobs.palette.json")));
   EXPECT_EQ(run(line("--overwrite")).exit_code, 0);
   EXPECT_EQ(records("o/jobs.jsonl").size(), 2U);
 }
