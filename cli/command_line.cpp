@@ -7,16 +7,9 @@
 namespace terrview {
 namespace {
 
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n') c = ' ';
-  }
-  return text;
-}
-
 // What the parser says, and how to mend it.
 std::string explain(const CLI::ParseError& error, const CLI::App& app) {
-  const std::string said = one_line(error.what());
+  const std::string said = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error))
     return "'" + app.remaining().front() + "': no such option: " + app.get_name() +
            " --help lists them";

@@ -7,6 +7,7 @@
 
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
+#include "cli/output_options.h"
 #include "cli/progress.h"
 #include "cli/view_options.h"
 #include "ingest/dem_info.h"
@@ -20,8 +21,7 @@ struct InfoOptions {
   std::vector<std::string> dems;
   DemOptions dem;
   bool json = false;
-  bool quiet = false;
-  bool progress = false;
+  BarOptions bar;
 };
 
 InfoOptions parse_info(const std::vector<std::string>& args) {
@@ -29,14 +29,13 @@ InfoOptions parse_info(const std::vector<std::string>& args) {
   CommandLine app("What DEMs hold", "terrview info");
   add_dem_options(app, options.dems, options.dem);
   app.add_flag("--json", options.json, "As JSON");
-  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
-  app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");
+  add_bar_options(app, options.bar.quiet, options.bar.progress);
   app.parse_args(args);
   return options;
 }
 
 std::vector<Dem> read(InfoOptions& options) {
-  ProgressBar bar("reading", !options.quiet && (options.progress || stderr_is_terminal()));
+  ProgressBar bar("reading", options.bar.shown());
   options.dem.progress = [&](double share) {
     check_interrupt();
     bar.report(share);
@@ -155,7 +154,7 @@ int run_info(const std::vector<std::string>& args) {
       print(dem, info);
     }
     for (const std::string& warning : dem.warnings) {
-      if (!options.quiet) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+      if (!options.bar.quiet) std::fprintf(stderr, "warning: %s\n", warning.c_str());
     }
   }
   if (options.json) std::printf("%s\n", json.dump(2).c_str());

@@ -73,6 +73,15 @@ void OutputFile::fill(const std::function<void(const std::string&)>& write) {
   }
 }
 
+void make_folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error)
+    throw InputError("'" + path + "': its folder cannot be made (" + error.message() +
+                     "): name another");
+}
+
 void remove_leftovers(const std::vector<std::string>& paths) {
   std::map<fs::path, std::set<std::string>> names;
   for (const fs::path path : paths) {

@@ -36,6 +36,9 @@ class OutputFile {
   bool exists_ = false;
 };
 
+// Makes the folder that `path` lies in, and those above it. Throws InputError if it cannot.
+void make_folder_of(const std::string& path);
+
 // Removes the temporary files that killed processes have left of outputs. Nobody may be writing
 // these.
 void remove_leftovers(const std::vector<std::string>& paths);

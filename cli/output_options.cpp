@@ -36,9 +36,9 @@ std::string usual_extension(const std::string& format) {
 
 bool BarOptions::shown() const { return !quiet && (progress || stderr_is_terminal()); }
 
-void add_bar_options(CLI::App& app, BarOptions& options) {
-  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
-  app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");
+void add_bar_options(CLI::App& app, bool& quiet, bool& progress) {
+  app.add_flag("-q,--quiet", quiet, "No messages but errors");
+  app.add_flag("--progress", progress, "A progress bar even where there is no terminal");
 }
 
 }  // namespace terrview

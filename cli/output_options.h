@@ -27,6 +27,6 @@ struct BarOptions {
 };
 
 // -q, --quiet and --progress.
-void add_bar_options(CLI::App& app, BarOptions& options);
+void add_bar_options(CLI::App& app, bool& quiet, bool& progress);
 
 }  // namespace terrview

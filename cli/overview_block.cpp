@@ -87,8 +87,7 @@ ViewOptions options_of_view(const OverviewOptions& options, const std::vector<De
   EyePlace eye;
   eye.projected = middle_of(dems.front());
   const double relief_m = *view.z_scale * (region.highest_m - region.lowest_m);
-  eye.height_m =
-      region.highest_m + (kEyeHeights * (region.reach_m + relief_m) + 1000) / *view.z_scale;
+  eye.height_m = region.highest_m + kEyeHeights * (region.reach_m + relief_m) / *view.z_scale;
   view.eye = eye;
   view.heading_deg = std::remainder(options.from_deg + 180, 360.0);
   view.pitch_deg = -options.tilt_deg;
@@ -116,7 +115,8 @@ Fit fit(const OverviewOptions& options, const glm::dvec2& block_m, const BlockMa
     throw InputError("--size: " + std::to_string(size_px.x) + "x" + std::to_string(size_px.y) +
                      ": leaves no room for the block beside its words: give " +
                      std::to_string(taken.x + kLeastBlock_px) + "x" +
-                     std::to_string(taken.y + kLeastBlock_px) + " or more, or add --plain");
+                     std::to_string(taken.y + kLeastBlock_px) + " or more" +
+                     (options.plain ? "" : ", or add --plain"));
   const glm::dvec2 m_per_px = block_m / glm::dvec2(room_px);
   return {size_px, std::max(m_per_px.x, m_per_px.y)};
 }
@@ -140,6 +140,24 @@ void aim(const ImageBounds& bounds, const Fit& fit, const BlockMargins& margins,
   view.size_px = 2 * half_px;
   view.crop = PixelRect{half_px - axis_px, fit.size_px};
   view.width_m = view.size_px.x * fit.m_per_px;
+}
+
+// The camera of the picture, which shows a part of a larger one.
+Camera make_block_camera(const ResolvedView& view) {
+  try {
+    return make_camera(view);
+  } catch (const InputError&) {
+    throw InputError("--size: " + std::to_string(view.crop->size_px.x) + "x" +
+                     std::to_string(view.crop->size_px.y) +
+                     ": is too large for a block: give fewer pixels");
+  }
+}
+
+std::optional<BlockFonts> make_fonts(const OverviewOptions& options, int letter_px) {
+  if (options.plain) return std::nullopt;
+  const std::string& given = options.view.labels.font;
+  const std::string path = given.empty() ? usual_font() : given;
+  return BlockFonts{Font(path, letter_px), Font(path, static_cast<int>(1.6 * letter_px))};
 }
 
 void set_paper(Scene& scene) {
@@ -173,12 +191,18 @@ BlockView make_block(const OverviewOptions& options, const std::vector<Dem>& dem
   const BlockMargins margins = margins_for(letter_px, options.plain);
   const Fit fitted = fit(options, bounds.high_m - bounds.low_m, margins);
   aim(bounds, fitted, margins, view.resolved);
-  view.camera = make_camera(view.resolved);
+  view.camera = make_block_camera(view.resolved);
   set_paper(view.scene);
   const double upright = std::max(0.1, std::cos(options.tilt_deg * kRadians));
   view.scene.objects = walls_of(view.scene, plinth_z_m, kLine_px * fitted.m_per_px / upright);
   const double z_scale = frame.z_scale;
-  return {std::move(view), margins, plinth_z_m, fitted.m_per_px, z_scale, letter_px};
+  return {std::move(view),
+          margins,
+          plinth_z_m,
+          fitted.m_per_px,
+          z_scale,
+          letter_px,
+          make_fonts(options, letter_px)};
 }
 
 }  // namespace terrview

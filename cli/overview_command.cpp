@@ -1,6 +1,9 @@
 #include "cli/overview_command.h"
 
 #include <cstdio>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
 
 #include "cli/interrupt.h"
 #include "cli/overview_block.h"
@@ -30,6 +33,22 @@ Frame render_block(const OverviewOptions& options, const View& view) {
                  }});
 }
 
+// With what stands about the block.
+ImageFileOptions file_options(const OverviewOptions& options, const View& view) {
+  ImageFileOptions file = image_options(options.view, view);
+  std::string& text = file.metadata.at("terrview:view");
+  auto json = nlohmann::ordered_json::parse(text);
+  auto& block = json["block"] = {{"plain", options.plain}};
+  if (!options.plain) {
+    block["title"] = block_title(options);
+    block["ticks"] = options.ticks == TickSystem::degrees ? "degrees" : "own";
+    const std::string& font = options.view.labels.font;
+    if (!font.empty()) block["font"] = std::filesystem::path(font).filename().string();
+  }
+  text = json.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
+  return file;
+}
+
 int make_block_picture(OverviewOptions options) {
   check_light(options.view.light);
   check_ground_colors(options.view);
@@ -44,7 +63,7 @@ int make_block_picture(OverviewOptions options) {
   Frame frame = render_block(options, block.view);
   if (!options.plain) draw_furniture(options, dems, block, frame.image);
   files.image->fill([&](const std::string& path) {
-    write_image(path, frame.image, image_options(options.view, block.view));
+    write_image(path, frame.image, file_options(options, block.view));
   });
   files.commit();
   if (!options.view.quiet) std::fprintf(stderr, "wrote %s\n", files.image->path().c_str());

@@ -60,8 +60,7 @@ class Furniture {
         block_(block),
         image_(image),
         letter_px_(block.letter_px),
-        path_(options.font.empty() ? usual_font() : options.font),
-        font_(path_, block.letter_px),
+        font_(block.fonts->words),
         grid_(dem_, options.ticks) {
     const TerrainLayer& layer = block.view.scene.terrain->layers().front();
     below_eye_uv_ = layer.map->to_grid(glm::dvec2(0));
@@ -69,8 +68,7 @@ class Furniture {
   }
 
   void title(const std::string& text) const {
-    const Font large(path_, static_cast<int>(1.6 * letter_px_));
-    ink_text({text, glm::dvec2(1.5, 1.2) * letter_px_}, large, kInk, image_);
+    ink_text({text, glm::dvec2(1.5, 1.2) * letter_px_}, block_.fonts->title, kInk, image_);
   }
 
   void sides() {
@@ -210,8 +208,7 @@ class Furniture {
   const BlockView& block_;
   Image& image_;
   double letter_px_;
-  std::string path_;
-  Font font_;
+  const Font& font_;
   Grid grid_;
   glm::dvec2 below_eye_uv_{0, 0};
   glm::dmat2 to_ground_{1};
@@ -230,10 +227,14 @@ std::string names_of(const std::vector<std::string>& paths) {
 
 }  // namespace
 
+std::string block_title(const OverviewOptions& options) {
+  return options.title.value_or(names_of(options.view.dems));
+}
+
 void draw_furniture(const OverviewOptions& options, const std::vector<Dem>& dems,
                     const BlockView& block, Image& image) {
   Furniture furniture(options, dems, block, image);
-  furniture.title(options.title.value_or(names_of(options.view.dems)));
+  furniture.title(block_title(options));
   furniture.sides();
   furniture.north_arrow();
   furniture.scale();

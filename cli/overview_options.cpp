@@ -53,7 +53,8 @@ void add_block_options(CLI::App& app, OverviewOptions& options) {
                          {{"own", TickSystem::own}, {"degrees", TickSystem::degrees}},
                          "Coordinates of the first DEM's own system (default) or WGS 84");
   app.add_option("--title", options.title, "Above the block (default: the DEMs' names)");
-  app.add_option("--font", options.font, "A TrueType or OpenType file")->type_name("FILE");
+  app.add_option("--font", options.view.labels.font, "A TrueType or OpenType file")
+      ->type_name("FILE");
   app.add_flag("--plain", options.plain, "The block alone: no title, ticks, arrow and scale");
   app.add_option("--samples", options.view.sampling.samples,
                  "Rays a pixel (default: adaptive; of a map 1)")
@@ -98,8 +99,7 @@ void add_file_options(CLI::App& app, ViewOptions& view) {
   app.add_flag("--overwrite", view.overwrite, "Replace existing outputs");
   app.add_option("--threads", view.threads, "Never changes the picture (default: all)")
       ->check(CLI::Range(1, 256));
-  app.add_flag("-q,--quiet", view.quiet, "No messages but errors");
-  app.add_flag("--progress", view.progress, "A progress bar even where there is no terminal");
+  add_bar_options(app, view.quiet, view.progress);
 }
 
 // Options that were given for the other kind of overview.
@@ -113,6 +113,9 @@ void check_kind(const CLI::App& app, bool plan) {
     for (const char* name : kOfBlocks) refuse(name, "belongs to a block: leave it out of a map");
   else
     refuse("--resolution", "of a map: add --plan, or give --size");
+  if (app.count("--plain") > 0)
+    for (const char* name : {"--ticks", "--title", "--font"})
+      refuse(name, "is not in a --plain picture: leave out one of them");
 }
 
 void check_sheets(const OverviewOptions& options) {

@@ -19,7 +19,6 @@ struct OverviewOptions {
   double tilt_deg = 35;   // of the view below the horizon
   TickSystem ticks = TickSystem::own;
   std::optional<std::string> title;  // none: the DEMs' names
-  std::string font;                  // empty = the usual one
   bool plain = false;                // nothing beside the block
 
   // Of a map.

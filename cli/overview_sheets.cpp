@@ -6,9 +6,12 @@
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <system_error>
 
 #include <glm/common.hpp>
 
+#include "cli/batch/output_template.h"
+#include "cli/input_files.h"
 #include "cli/interrupt.h"
 #include "cli/output_options.h"
 #include "cli/plan.h"
@@ -22,7 +25,6 @@
 namespace terrview {
 namespace {
 
-constexpr const char* kName = "{name}";
 constexpr int kMostSheets = 100'000;
 // Of a pixel: what borders of sheets lose on the way through coordinates.
 constexpr double kRounding_px = 1e-6;
@@ -83,28 +85,45 @@ std::vector<Sheet> outlined(const OverviewOptions& options, const PlanLattice& w
   return sheets;
 }
 
-std::string default_pattern(const ViewOptions& options) {
-  const std::string extension = options.format.empty() ? ".tif" : usual_extension(options.format);
-  return std::filesystem::path(options.dems.front()).stem().string() + "_{name}" + extension;
+// A text as a template has it.
+std::string without_holes(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += std::string(c == '{' || c == '}' ? 2 : 1, c);
+  return escaped;
 }
 
-// Where each sheet goes; all can be written as far as their names tell.
-std::vector<std::string> paths_of(const std::vector<Sheet>& sheets, const ViewOptions& options) {
-  const std::string pattern = options.output.empty() ? default_pattern(options) : options.output;
-  std::vector<std::string> paths;
+std::string pattern_of(const ViewOptions& options) {
+  if (!options.output.empty()) return options.output;
+  const std::string extension = options.format.empty() ? ".tif" : usual_extension(options.format);
+  return without_holes(std::filesystem::path(options.dems.front()).stem().string()) + "_{name}" +
+         extension;
+}
+
+// Throws InputError unless all sheets can be written, as far as names tell.
+void check_files(const std::vector<std::string>& paths, const OverviewOptions& options) {
+  const InputFiles inputs({options.sheets}, "this map");
+  ViewOptions of_sheet = options.view;
   std::set<std::string> used;
-  for (const Sheet& sheet : sheets) {
-    paths.push_back(sheet_path(pattern, sheet.name));
-    if (!used.insert(paths.back()).second)
-      throw InputError("'" + paths.back() + "': named by two sheets: give them names of their own");
-    if (!options.overwrite && std::filesystem::exists(paths.back()))
-      throw InputError("'" + paths.back() + "': exists: add --overwrite, or choose another name");
+  for (const std::string& path : paths) {
+    of_sheet.output = path;
+    const ViewFiles files(of_sheet, ViewFiles::NamesOnly{});
+    for (const std::string& file : files.paths()) {
+      if (!used.insert(file).second)
+        throw InputError("'" + file + "': named by two sheets: give them names of their own");
+      inputs.refuse(file);
+      std::error_code error;
+      if (std::filesystem::exists(file, error) && !of_sheet.overwrite)
+        throw InputError("'" + file + "': exists already: give --overwrite to replace it");
+      if (error)
+        throw InputError("'" + file + "': cannot be written (" + error.message() +
+                         "): choose another name");
+    }
   }
-  return paths;
 }
 
 void make_sheet(ViewOptions options, const View& view, const Dem& dem, const PlanLattice& lattice,
                 const std::string& label) {
+  make_folder_of(options.output);
   ViewFiles files(options);
   const PlanFrame frame = draw_plan(options, view, lattice, label);
   write_plan(options, view, dem, lattice, frame, files);
@@ -123,26 +142,37 @@ std::vector<Sheet> sheets_of(const OverviewOptions& options, const PlanLattice& 
   return regular(whole.size_px, count, [size](glm::ivec2 tile) { return tile * size; });
 }
 
-std::string sheet_path(const std::string& pattern, const std::string& name) {
-  const bool no_file = name.empty() || name == "." || name == ".." ||
-                       name.find('/') != std::string::npos || name.find('\0') != std::string::npos;
-  if (no_file)
-    throw InputError("sheet '" + name + "': is not the name of a file: give another --sheet-name");
-  std::string path = pattern;
-  const std::size_t at = path.find(kName);
-  if (at == std::string::npos)
+std::vector<std::string> sheet_paths(const std::string& pattern, const std::vector<Sheet>& sheets) {
+  const OutputTemplate names("-o", pattern);
+  if (!names.has_holes())
     throw InputError("-o '" + pattern + "': names one file for all sheets: put {name} into it");
-  return path.replace(at, std::string(kName).size(), name);
+  for (const std::string& column : names.columns())
+    if (column != "name")
+      throw InputError("-o '" + pattern + "': {" + column + "}: sheets have a {name}, an {index}");
+  std::vector<std::string> paths;
+  for (const Sheet& sheet : sheets) {
+    const int index = static_cast<int>(paths.size()) + 1;
+    JobRow row;
+    row.cells["name"] = {sheet.name};
+    try {
+      paths.push_back(names.fill(row, index));
+    } catch (const InputError& error) {
+      throw InputError("sheet " + std::to_string(index) + ": " + error.what());
+    }
+  }
+  return paths;
 }
 
 int make_sheets(OverviewOptions options) {
   ViewOptions& of_view = options.view;
-  if (!of_view.output.empty()) static_cast<void>(sheet_path(of_view.output, "0_0"));
+  const std::string pattern = pattern_of(of_view);
+  static_cast<void>(sheet_paths(pattern, {}));  // throws before the work begins
   const std::vector<Dem> dems = read_with_bar(of_view);
   const Dem& dem = dems.front();
   const PlanLattice whole = plan_lattice(of_view, dem);
   const std::vector<Sheet> sheets = sheets_of(options, whole, dem);
-  const std::vector<std::string> paths = paths_of(sheets, of_view);
+  const std::vector<std::string> paths = sheet_paths(pattern, sheets);
+  check_files(paths, options);
   const View view = make_view(of_view, dems);
   if (!of_view.quiet) say_what_is_seen(dems, view);
   for (std::size_t i = 0; i < sheets.size(); ++i) {

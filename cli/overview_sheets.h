@@ -21,8 +21,10 @@ struct Sheet {
 [[nodiscard]] std::vector<Sheet> sheets_of(const OverviewOptions& options, const PlanLattice& whole,
                                            const Dem& dem);
 
-// `{name}` of a template replaced. Throws InputError for a name that is not the name of a file.
-[[nodiscard]] std::string sheet_path(const std::string& pattern, const std::string& name);
+// Where each sheet goes: `pattern` is a template (cli/batch/output_template.h) over {name}. Throws
+// InputError for one without holes or with others, and for a name that could lead elsewhere.
+[[nodiscard]] std::vector<std::string> sheet_paths(const std::string& pattern,
+                                                   const std::vector<Sheet>& sheets);
 
 // Writes one after the other. Returns the exit code; throws InputError.
 int make_sheets(OverviewOptions options);

@@ -44,7 +44,7 @@ CommandOptions parse_quantize(const std::vector<std::string>& args) {
   add_method_options(app, options.palette);
   add_format_options(app, options.file.format, options.file.creation, "GDAL's of the format");
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
-  add_bar_options(app, options.bar);
+  add_bar_options(app, options.bar.quiet, options.bar.progress);
   app.parse_args(args);
   check_palette_options(options.palette);
   check_indexed_file(options.output, options.file);

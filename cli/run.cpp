@@ -11,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/overview_command.h"
 #include "cli/quantize_command.h"
+#include "cli/say_error.h"
 #include "cli/sky_command.h"
 #include "cli/synth_command.h"
 #include "cli/view_command.h"
@@ -63,18 +64,17 @@ int run(const std::vector<std::string>& args) {
     return 0;
   } catch (const Interrupted& interrupted) {
     if (interrupted.left.empty())
-      std::fputs("terrview: interrupted: nothing was written\n", stderr);
+      say_error("interrupted: nothing was written");
     else
-      std::fprintf(stderr, "terrview: interrupted: '%s' is as far as it came\n",
-                   interrupted.left.c_str());
+      say_error("interrupted: '" + interrupted.left + "' is as far as it came");
     return 130;
   } catch (const InputError& error) {
-    std::fprintf(stderr, "terrview: %s\n", error.what());
+    say_error(error.what());
     return 2;
   } catch (const std::bad_alloc&) {
-    std::fputs("terrview: out of memory: use a --window of the DEM or a smaller --size\n", stderr);
+    say_error("out of memory: use a --window of the DEM or a smaller --size");
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "terrview: %s\n", error.what());
+    say_error(error.what());
   }
   return 1;
 }

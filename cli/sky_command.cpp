@@ -86,7 +86,7 @@ void add_output_options(CLI::App& app, SkyCommand& options) {
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
   app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
       ->check(CLI::Range(1, 4096));
-  add_bar_options(app, options.bar);
+  add_bar_options(app, options.bar.quiet, options.bar.progress);
 }
 
 SkyCommand parse_sky(const std::vector<std::string>& args) {

@@ -109,7 +109,7 @@ SynthCommand parse_synth(const std::vector<std::string>& args) {
   app.add_flag("--overwrite", options.overwrite, "Replace an existing output");
   app.add_option("--threads", options.threads, "Never changes the grid (default: all)")
       ->check(CLI::Range(1, 4096));
-  add_bar_options(app, options.bar);
+  add_bar_options(app, options.bar.quiet, options.bar.progress);
   app.parse_args(args);
   if (std::min(options.size.x, options.size.y) < 2 ||
       std::max(options.size.x, options.size.y) > kLargestSide)

@@ -1,6 +1,5 @@
 #include "cli/view_files.h"
 
-#include <system_error>
 #include <vector>
 
 #include "cli/camera_json.h"
@@ -29,11 +28,22 @@ glm::ivec2 image_size(const ViewOptions& options) {
   return options.size_px.value_or(ResolvedView{}.size_px);
 }
 
+std::vector<std::string> files_read(const ViewOptions& options) {
+  std::vector<std::string> files = options.dems;
+  files.insert(files.end(), {options.objects.buildings, options.objects.trees, options.drape,
+                             options.water.file, options.labels.peaks, options.labels.font,
+                             options.colors, options.palette.use_palette, options.from_camera});
+  return files;
+}
+
 }  // namespace
 
-ViewFiles::ViewFiles(const ViewOptions& options) { claim_all(options); }
+ViewFiles::ViewFiles(const ViewOptions& options) : inputs_(files_read(options), "this view") {
+  claim_all(options);
+}
 
-ViewFiles::ViewFiles(const ViewOptions& options, NamesOnly /*names_only*/) : names_only_(true) {
+ViewFiles::ViewFiles(const ViewOptions& options, NamesOnly /*names_only*/)
+    : names_only_(true), inputs_(files_read(options), "this view") {
   claim_all(options);
 }
 
@@ -76,14 +86,7 @@ std::unique_ptr<OutputFile> ViewFiles::claim(const std::string& path, const View
   if (path.empty()) return nullptr;
   if (!claimed_.insert(std::filesystem::absolute(path).lexically_normal()).second)
     throw InputError("'" + path + "': named for two outputs: give each a name of its own");
-  std::vector<std::string> inputs = options.dems;
-  inputs.insert(inputs.end(), {options.objects.buildings, options.objects.trees, options.drape,
-                               options.water.file, options.labels.peaks, options.labels.font});
-  for (const std::string& input : inputs) {
-    std::error_code not_both_exist;
-    if (std::filesystem::equivalent(path, input, not_both_exist))
-      throw InputError("'" + path + "': is read by this view: write to another file");
-  }
+  inputs_.refuse(path);
   paths_.push_back(path);
   return names_only_ ? nullptr : std::make_unique<OutputFile>(path, options.overwrite);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/input_files.h"
 #include "cli/output_file.h"
 #include "cli/view_options.h"
 
@@ -46,6 +47,7 @@ class ViewFiles {
   std::unique_ptr<OutputFile> claim(const std::string& path, const ViewOptions& options);
 
   bool names_only_ = false;
+  InputFiles inputs_;
   std::vector<std::string> paths_;
   std::set<std::filesystem::path> claimed_;
 };

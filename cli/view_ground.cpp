@@ -1,6 +1,8 @@
 #include "cli/view_ground.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "cli/add_option.h"
 #include "ingest/color_ramp_file.h"
@@ -69,6 +71,10 @@ void check_ground_colors(const ViewOptions& options) {
     throw InputError("--snow-line, --rock-slope: belong to natural colours: give --colors natural");
   if (natural.rock_slope_deg && !(*natural.rock_slope_deg > 0 && *natural.rock_slope_deg < 90))
     throw InputError("--rock-slope: give degrees between 0 and 90");
+  std::error_code unreadable_then;
+  if (has_ramp_file(options) && !std::filesystem::exists(options.colors, unreadable_then))
+    throw InputError("--colors '" + options.colors +
+                     "': is neither a file nor the name of colours: check it");
 }
 
 bool has_ramp_file(const ViewOptions& options) {

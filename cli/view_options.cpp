@@ -120,8 +120,7 @@ void add_output_options(CLI::App& app, ViewOptions& options) {
   app.add_option("--camera", options.camera, "The resolved camera as JSON")->type_name("FILE");
   app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
       ->check(CLI::Range(1, 256));
-  app.add_flag("-q,--quiet", options.quiet, "No messages but errors");
-  app.add_flag("--progress", options.progress, "A progress bar even where there is no terminal");
+  add_bar_options(app, options.quiet, options.progress);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ install(FILES packaging/terrview.bash RENAME terrview
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES packaging/_terrview DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
   COMPONENT zsh)
-install(DIRECTORY docs/ DESTINATION ${document_folder} COMPONENT program FILES_MATCHING PATTERN *.md
-  PATTERN images EXCLUDE)
+install(DIRECTORY docs/ DESTINATION ${document_folder} COMPONENT program)
+install(FILES LICENSE DESTINATION ${document_folder} COMPONENT program)
 install(FILES samples/vosges_like.tif DESTINATION ${document_folder}/examples COMPONENT program)
 
 install(TARGETS terrview_flags ${libraries} EXPORT terrview COMPONENT development)

@@ -1,16 +1,18 @@
 #include "cli/batch/batch_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 
+#include "cli/batch/batch_files.h"
 #include "cli/batch/batch_options.h"
 #include "cli/batch/batch_report.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/job_plan.h"
 #include "cli/batch/merge.h"
-#include "cli/batch/output_template.h"
 #include "cli/batch/shared_palette.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
@@ -25,51 +27,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name beside the outputs: in the folder that the template names before its first hole.
-std::string name_beside(const BatchOptions& options, const std::string& name) {
-  const std::string beginning = OutputTemplate("-o", options.view.output).beginning();
-  return beginning.substr(0, beginning.rfind('/') + 1) + name;
-}
-
-std::string manifest_path(const BatchOptions& options, const Shard& shard) {
-  const fs::path table(options.source());
-  if (options.manifest.empty())
-    return name_beside(options, table.stem().string() + shard_suffix(shard) + ".jsonl");
-  fs::path path(options.manifest);
-  path.replace_filename(path.stem().string() + shard_suffix(shard) + path.extension().string());
-  return path.string();
-}
-
 ManifestFile::Existing existing(const BatchOptions& options) {
   if (options.resume) return ManifestFile::Existing::go_on;
   return options.view.overwrite ? ManifestFile::Existing::replace : ManifestFile::Existing::refuse;
 }
 
 ManifestFile open_manifest(const BatchOptions& options, const Shard& shard) {
-  const fs::path path = manifest_path(options, shard);
-  std::error_code told_when_it_is_opened;
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), told_when_it_is_opened);
-  return {path.string(), existing(options)};
-}
-
-void check_outputs_are_new(const std::vector<Job>& jobs, const Shard& shard) {
-  std::error_code ignored;
-  for (const Job& job : jobs) {
-    if (!shard.has(job.index)) continue;
-    for (const std::string& path : job.outputs)
-      if (fs::exists(path, ignored))
-        throw InputError("'" + path +
-                         "': exists already: give --overwrite to replace it, or --resume to go on");
-  }
-}
-
-void check_manifest_is_no_output(const std::vector<Job>& jobs, const std::string& manifest) {
-  const fs::path place = fs::absolute(manifest).lexically_normal();
-  for (const Job& job : jobs)
-    for (const std::string& path : job.outputs)
-      if (fs::absolute(path).lexically_normal() == place)
-        throw InputError("'" + manifest + "': is written by " + job.label() +
-                         ": name another --manifest");
+  const std::string path = manifest_path(options, shard);
+  make_folder_of(path);
+  return {path, existing(options)};
 }
 
 ManifestHeader header_of(const std::vector<Job>& jobs, const Shard& shard) {
@@ -82,11 +48,6 @@ std::vector<Job> jobs_of(const BatchOptions& options) {
   const JobTable table = options.path.empty() ? read_job_table(options.table)
                                               : read_camera_path(options.path, options.moving);
   return make_jobs(table, {options.dems, options.values, options.ignore_columns});
-}
-
-std::string palette_path(const BatchOptions& options, const std::string& suffix = "") {
-  return name_beside(options,
-                     fs::path(options.source()).stem().string() + suffix + ".palette.json");
 }
 
 BatchGround read_ground(const BatchOptions& options, bool shows_bar) {
@@ -124,16 +85,15 @@ class LazyGround {
 };
 
 // Makes it unless a batch that goes on has one, and lets every view use it.
-void share_palette(BatchOptions& options, const Shard& shard, LazyGround& lazy) {
+void share_palette(BatchOptions& options, const Shard& shard, const std::vector<Job>& jobs,
+                   LazyGround& lazy) {
   const std::string path = palette_path(options);
-  if (!options.resume || !fs::exists(path)) {
-    const std::vector<Job> jobs = jobs_of(options);
-    const BatchGround& ground = lazy.get();
-    if (!ground.error.empty()) throw InputError(ground.error);
+  std::error_code ignored;
+  if (!options.resume || !fs::exists(path, ignored)) {
+    if (!lazy.get().error.empty()) throw InputError(lazy.get().error);
     const Palette palette =
-        make_shared_palette(palette_jobs(jobs), ground.dems, options.view.threads);
-    if (const fs::path folder = fs::path(path).parent_path(); !folder.empty())
-      fs::create_directories(folder);
+        make_shared_palette(palette_jobs(jobs), lazy.get().dems, options.view.threads);
+    make_folder_of(path);
     save_shared_palette(palette, path, palette_path(options, shard_suffix(shard) + "-own"),
                         options.resume || options.view.overwrite);
   }
@@ -141,16 +101,30 @@ void share_palette(BatchOptions& options, const Shard& shard, LazyGround& lazy) 
   options.values["use-palette"] = {path};
 }
 
+// Throws InputError where no view could be made: a batch that has not begun leaves nothing then.
+void check_can_begin(const BatchOptions& options, const Shard& shard, const std::vector<Job>& jobs,
+                     LazyGround& lazy) {
+  const bool hopeless =
+      std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.error.empty(); });
+  if (hopeless)
+    throw InputError("no view can be made: " + jobs.front().label() + ": " + jobs.front().error);
+  std::error_code ignored;
+  const bool goes_on = options.resume && fs::exists(manifest_path(options, shard), ignored);
+  if (!goes_on && !lazy.get().error.empty()) throw InputError(lazy.get().error);
+}
+
 int run_table(BatchOptions options) {
   const bool shows_bar = !options.view.quiet && (options.view.progress || stderr_is_terminal());
   const Shard shard = find_shard(options.shard, std::getenv);
   LazyGround lazy(options, shows_bar);
-  if (options.shared_palette) share_palette(options, shard, lazy);
   std::vector<Job> jobs = jobs_of(options);
-  check_manifest_is_no_output(jobs, manifest_path(options, shard));
-  const bool replaces = options.resume || options.view.overwrite;
-  if (!replaces) check_outputs_are_new(jobs, shard);
-  for (Job& job : jobs) job.options.overwrite = replaces;
+  check_batch_files(options, shard, jobs);
+  check_can_begin(options, shard, jobs, lazy);
+  if (options.shared_palette) {
+    share_palette(options, shard, jobs, lazy);
+    jobs = jobs_of(options);
+  }
+  for (Job& job : jobs) job.options.overwrite = options.resume || options.view.overwrite;
 
   ManifestFile manifest = open_manifest(options, shard);
   InputStamps stamps;

@@ -37,30 +37,34 @@ void add_path_options(CLI::App& app, BatchOptions& options) {
     if (!(value > 0)) throw InputError(name + " " + text + ": give a number above 0");
     return value;
   };
-  app.add_option("--path", options.path,
-                 "Frames of a film instead of JOBS: keyframes (a table with the column time or "
-                 "frame), or a GPX track")
-      ->type_name("FILE");
+  auto* path = app.add_option("--path", options.path,
+                              "Frames of a film instead of JOBS: keyframes (a table with the "
+                              "column time or frame), or a GPX track")
+                   ->type_name("FILE");
   add_parsed(
       app, "--fps",
       [&, above_zero](const std::string& text) { moving.frames_per_s = above_zero("--fps", text); },
-      "Frames a second (default 25)");
+      "Frames a second (default 25)")
+      ->needs(path);
   auto* duration = add_parsed(
-      app, "--duration",
-      [&, above_zero](const std::string& text) {
-        moving.duration_s = above_zero("--duration", text);
-      },
-      "Seconds of the film (default: the keyframes' own; 20 for a track)");
+                       app, "--duration",
+                       [&, above_zero](const std::string& text) {
+                         moving.duration_s = above_zero("--duration", text);
+                       },
+                       "Seconds of the film (default: the keyframes' own; 20 for a track)")
+                       ->needs(path);
   add_parsed(
       app, "--speed",
       [&, above_zero](const std::string& text) {
         moving.speed_m_per_s = above_zero("--speed", text);
       },
       "Metres a second along a track, instead of its own times")
-      ->excludes(duration);
+      ->excludes(duration)
+      ->needs(path);
   add_parsed(
       app, "--lift", [&](const std::string& text) { moving.lift_m = parse_number("--lift", text); },
-      "Metres of a track's eye over the ground (default 2)");
+      "Metres of a track's eye over the ground (default 2)")
+      ->needs(path);
 }
 
 void check(const BatchOptions& options) {

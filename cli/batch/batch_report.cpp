@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/batch/output_template.h"
+#include "cli/say_error.h"
 
 namespace terrview {
 namespace {
@@ -20,8 +21,7 @@ void say_what_failed(const std::vector<FailedJob>& failed) {
     if (count == others.end()) continue;
     const std::string alike =
         count->second > 1 ? " (and " + std::to_string(count->second - 1) + " more)" : "";
-    std::fprintf(stderr, "terrview: %s%s: %s\n", one.job->label().c_str(), alike.c_str(),
-                 one.error.c_str());
+    say_error(one.job->label() + alike + ": " + one.error);
     others.erase(count);
   }
 }
@@ -56,7 +56,7 @@ int report_batch(const BatchOptions& options, const JobPlan& plan, const BatchOu
                  manifest.path().c_str());
   if (!options.path.empty() && !options.view.quiet) say_how_to_film(options);
   if (outcome.interrupted) {
-    std::fprintf(stderr, "terrview: interrupted: --resume does the other views\n");
+    say_error("interrupted: --resume does the other views");
     return 130;
   }
   constexpr int kSomeFailed = 3;

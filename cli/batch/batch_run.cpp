@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <filesystem>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -11,6 +10,8 @@
 #include "cli/batch/job_plan.h"
 #include "cli/camera_json.h"
 #include "cli/interrupt.h"
+#include "cli/output_file.h"
+#include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/view_command.h"
 #include "render/parallel.h"
@@ -28,6 +29,24 @@ double posts_of(const std::vector<Dem>& dems) {
   double posts = 0;
   for (const Dem& dem : dems) posts += static_cast<double>(dem.grid->columns) * dem.grid->rows;
   return posts;
+}
+
+glm::ivec2 picture_size_px(const ViewOptions& options, const Dem& dem) {
+  if (options.crop) return options.crop->size_px;
+  if (!options.plan) return options.size_px.value_or(ResolvedView{}.size_px);
+  try {
+    return plan_lattice(options, dem).size_px;
+  } catch (const InputError&) {
+    return {0, 0};  // it cannot be made
+  }
+}
+
+double pixel_bytes(const Job& job) {
+  constexpr double kPicture_bytes = 100;
+  constexpr double kLayers_bytes = 280;
+  constexpr double kPlan_bytes = 32;
+  if (job.options.plan) return kPlan_bytes;
+  return job.outputs.size() > 1 ? kLayers_bytes : kPicture_bytes;
 }
 
 class Run {
@@ -80,8 +99,7 @@ class Run {
     ViewOptions options = job.options;
     options.quiet = true;
     options.threads = std::max(1, threads_ / in_flight_);
-    for (const std::filesystem::path path : job.outputs)
-      if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+    for (const std::string& path : job.outputs) make_folder_of(path);
     ViewFiles files(options);
     make_picture(options, ground_.dems, inputs_, files, {});
     for (const std::string& path : job.outputs) {
@@ -117,24 +135,23 @@ class Run {
 
 }  // namespace
 
-double view_bytes(const Job& job, double posts) {
-  constexpr double kPicture_bytes = 100;  // a pixel
-  constexpr double kLayers_bytes = 280;
+double view_bytes(const Job& job, const std::vector<Dem>& dems) {
   constexpr double kSkyView_bytes = 32;  // a post
   constexpr double kView_bytes = 8 << 20;
-  const glm::dvec2 size(job.options.size_px.value_or(ResolvedView{}.size_px));
-  const double sky_view = job.options.light.sky_azimuths > 0 ? kSkyView_bytes * posts : 0;
-  return kView_bytes + sky_view +
-         (job.outputs.size() > 1 ? kLayers_bytes : kPicture_bytes) * size.x * size.y;
+  const glm::dvec2 size(picture_size_px(job.options, dems.front()));
+  const double sky_view = job.options.light.sky_azimuths > 0 ? kSkyView_bytes * posts_of(dems) : 0;
+  return kView_bytes + sky_view + pixel_bytes(job) * size.x * size.y;
 }
 
 int views_in_flight(const std::vector<const Job*>& jobs, const std::vector<Dem>& dems, int threads,
                     double memory_bytes) {
   constexpr double kProgram_bytes = 160 << 20;
   constexpr double kHeights_bytes = 4 * (1 + 2.0 / 3);  // a post, with ceilings and means
+  if (dems.empty()) return 1;
   const double posts = posts_of(dems);
   double largest = 1;
-  for (const Job* job : jobs) largest = std::max(largest, view_bytes(*job, posts));
+  for (const Job* job : jobs)
+    if (job->error.empty()) largest = std::max(largest, view_bytes(*job, dems));
   const bool flooded = std::any_of(jobs.begin(), jobs.end(), [](const Job* job) {
     return !job->options.water.file.empty();  // lakes take a copy
   });

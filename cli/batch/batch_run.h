@@ -17,8 +17,9 @@ struct BatchRunOptions {
   bool shows_bar = false;
 };
 
-// What making a view over ground of so many posts takes beside what views share, as measured.
-[[nodiscard]] double view_bytes(const Job& job, double posts);
+// What making a view over these DEMs, of which there is one, takes beside what views share, as
+// measured.
+[[nodiscard]] double view_bytes(const Job& job, const std::vector<Dem>& dems);
 
 // How many views to have in flight: a thread each, unless there are fewer views, or more would need
 // more memory than there is. At least one.

@@ -64,7 +64,8 @@ class Track {
 
   void finish() {
     for (std::size_t i = 0; i < values_.size(); ++i)
-      curves_.emplace_back(times_s_, kind_.angles.count(i) > 0 ? unwound(values_[i]) : values_[i]);
+      curves_.emplace_back(times_s_, kind_.angles.count(i) > 0 ? unwound(values_[i]) : values_[i],
+                           is_over_ground(i) ? Spline::Shape::monotone : Spline::Shape::smooth);
   }
 
   [[nodiscard]] std::string at(double time_s) const {
@@ -72,13 +73,16 @@ class Track {
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       double value = curves_[i].at(time_s);
       if (kind_.angles.count(i) > 0) value = std::remainder(value, 360.0);
-      const bool height = above_ground_ && i + 1 == curves_.size();
-      text += (i > 0 ? "," : "") + std::string(height ? "+" : "") + shortest(value);
+      text += (i > 0 ? "," : "") + std::string(is_over_ground(i) ? "+" : "") + shortest(value);
     }
     return text;
   }
 
  private:
+  [[nodiscard]] bool is_over_ground(std::size_t i) const {
+    return above_ground_ && i + 1 == values_.size();
+  }
+
   std::string name_;
   const Moving& kind_;
   bool above_ground_ = false;
@@ -189,12 +193,14 @@ void aim_ahead(JobTable& frames, double frames_per_s) {
 
 JobTable frames_of_track(const std::vector<TrackPoint>& points, const PathOptions& options) {
   constexpr double kUsualDuration_s = 20;
+  constexpr double kUsualLift_m = 2;
   const Course course = course_of(points, is_timed(points) && !options.speed_m_per_s);
   const double duration_s = options.speed_m_per_s ? course.length_m / *options.speed_m_per_s
                                                   : options.duration_s.value_or(kUsualDuration_s);
   PathOptions timed = options;
   timed.duration_s.reset();
-  JobTable frames = frames_of_keyframes(keyframes_of(course, duration_s, options.lift_m), timed);
+  JobTable frames = frames_of_keyframes(
+      keyframes_of(course, duration_s, options.lift_m.value_or(kUsualLift_m)), timed);
   if (options.aims) aim_ahead(frames, options.frames_per_s);
   return frames;
 }
@@ -227,7 +233,8 @@ JobTable frames_of_keyframes(const JobTable& keyframes, const PathOptions& optio
   JobTable frames;
   for (const std::string& column : keyframes.columns)
     if (column != "time" && column != "frame") frames.columns.push_back(column);
-  const int count = frame_count(times_s.back() - times_s.front(), options.frames_per_s);
+  const int count = frame_count(options.duration_s.value_or(times_s.back() - times_s.front()),
+                                options.frames_per_s);
   JobRow steps;
   std::size_t next = 0;
   for (int i = 0; i < count; ++i) {
@@ -246,6 +253,7 @@ JobTable read_camera_path(const std::string& path, const PathOptions& options) {
                       text.find('<') != std::string::npos;
   if (is_xml) return frames_of_track(read_gpx_track(path), options);
   if (options.speed_m_per_s) throw InputError("--speed: is of a GPX track: give --duration");
+  if (options.lift_m) throw InputError("--lift: is of a GPX track: give the keyframes' eyes +H");
   return frames_of_keyframes(parse_job_table(text, path), options);
 }
 

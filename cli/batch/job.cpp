@@ -21,12 +21,14 @@ const std::set<std::string> kWithoutEffect{"threads", "quiet", "progress", "over
 
 using Templates = std::map<std::string, std::vector<OutputTemplate>>;
 
+// An option as a command line has it.
+std::string as_given(const std::string& name) { return (name == "o" ? "-" : "--") + name; }
+
 Templates templates_of(const OptionValues& values, const ViewVocabulary& vocabulary) {
   Templates templates;
   for (const auto& [name, texts] : values) {
     if (vocabulary.is_common(name) && name != "o") continue;
-    for (const std::string& text : texts)
-      templates[name].emplace_back(name == "o" ? "-o" : "--" + name, text);
+    for (const std::string& text : texts) templates[name].emplace_back(as_given(name), text);
   }
   return templates;
 }
@@ -38,7 +40,7 @@ void check_columns(const JobTable& table, const JobDefaults& defaults, const Tem
     for (const OutputTemplate& one : all) {
       for (const std::string& column : one.columns()) {
         if (std::find(table.columns.begin(), table.columns.end(), column) == table.columns.end())
-          throw InputError("{" + column + "} of --" + name +
+          throw InputError("{" + column + "} of " + as_given(name) +
                            ": the table has no such column: use one that it has, or {index}");
         used.insert(column);
       }

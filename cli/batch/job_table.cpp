@@ -1,7 +1,6 @@
 #include "cli/batch/job_table.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <span>
 
@@ -29,24 +28,15 @@ void add_columns(JobTable& table, const Json& object, std::set<std::string>& kno
     if (known.insert(key).second) table.columns.push_back(key);
 }
 
-// A cell's text; nullopt for what can be none.
-std::optional<std::string> scalar(const Json& value) {
+std::string cell_text(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number() || value.is_boolean()) return value.dump();
-  return std::nullopt;
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 void set_json_cell(JobRow& row, const std::string& column, const Json& value) {
   std::vector<std::string> values;
-  for (const Json& one : value.is_array() ? value : Json::array({value})) {
-    const auto text = scalar(one);
-    if (!text) {
-      row.error = column + ": neither a text nor a number, nor a list of these: mend the row";
-      return;
-    }
-    values.push_back(*text);
-  }
+  for (const Json& one : value.is_array() ? value : Json::array({value}))
+    values.push_back(cell_text(one));
   set_cell(row, column, values);
 }
 

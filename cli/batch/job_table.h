@@ -25,8 +25,9 @@ struct JobTable {
 // `text` is CSV whose first line names the columns, a JSON array of objects, or a GeoJSON feature
 // collection of points in WGS 84, whichever it looks like. A point's coordinates become the columns
 // lat, lon and alt unless properties are called so. A row that has lat and lon but neither eye nor
-// eye-xy gets an eye there, at alt or, without one, at +2. Numbers keep their shortest form. `name`
-// is for messages. Throws InputError for what is no table; a bad row only has an error.
+// eye-xy gets an eye there, at alt or, without one, at +2. Numbers keep their shortest form, and
+// objects are their JSON, which no option takes. `name` is for messages. Throws InputError for what
+// is no table; a bad row only has an error.
 [[nodiscard]] JobTable parse_job_table(std::string_view text, const std::string& name);
 
 // Throws InputError also if the file cannot be read.

@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -58,13 +60,22 @@ JobRecord record_of(const Json& json) {
 
 void take_line(const Json& json, Manifest& manifest) {
   if (json.contains("batch")) {
-    manifest.header = header_of(json.at("batch"));
+    const ManifestHeader header = header_of(json.at("batch"));
+    const ManifestHeader& before = manifest.header;
+    if (header.table != before.table || header.jobs != before.jobs) manifest.of_job.clear();
+    manifest.header = header;
     return;
   }
   const JobRecord& record = manifest.records.emplace_back(record_of(json));
   manifest.of_job[record.job] = manifest.records.size() - 1;
   for (const FileStamp& output : record.outputs)
     manifest.of_output[output.path] = manifest.records.size() - 1;
+}
+
+// Of a file without a whole line.
+bool may_begin_header(const std::string& text) {
+  const std::string beginning = R"({"batch":{)";
+  return text.substr(0, beginning.size()) == beginning.substr(0, text.size());
 }
 
 }  // namespace
@@ -100,6 +111,14 @@ Manifest parse_manifest(std::string_view text, const std::string& name) {
   return manifest;
 }
 
+void check_is_new(const std::string& path) {
+  std::error_code none;
+  const auto bytes = std::filesystem::file_size(path, none);
+  if (!none && bytes > 0)
+    throw InputError("'" + path +
+                     "': exists already: give --resume to go on with it, or --overwrite");
+}
+
 ManifestFile::ManifestFile(std::string path, Existing existing)
     : path_(std::move(path)),
       file_(::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
@@ -111,11 +130,13 @@ ManifestFile::ManifestFile(std::string path, Existing existing)
       throw InputError("'" + path_ +
                        "': another batch is writing it: wait for that, or name another --manifest");
     const std::string text = read_file(path_);
-    if (!text.empty() && existing == Existing::refuse)
-      throw InputError("'" + path_ +
-                       "': exists already: give --resume to go on with it, or --overwrite");
-    const std::size_t kept = existing == Existing::go_on ? text.rfind('\n') + 1 : 0;
-    before_ = parse_manifest(text.substr(0, kept), path_);
+    const std::size_t whole = text.rfind('\n') + 1;
+    Manifest held = parse_manifest(text.substr(0, whole), path_);
+    if (whole == 0 && !may_begin_header(text))
+      throw InputError("'" + path_ + "': is no manifest: name another file");
+    if (existing == Existing::refuse) check_is_new(path_);
+    const std::size_t kept = existing == Existing::go_on ? whole : 0;
+    if (existing == Existing::go_on) before_ = std::move(held);
     if (::ftruncate(file_, static_cast<off_t>(kept)) != 0)
       throw InputError("'" + path_ + "': cannot be shortened (" + std::strerror(errno) +
                        "): name a regular file");

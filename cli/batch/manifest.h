@@ -37,7 +37,7 @@ struct JobRecord {
 struct Manifest {
   ManifestHeader header;  // the last
   std::vector<JobRecord> records;
-  std::map<int, std::size_t> of_job;             // the last of each
+  std::map<int, std::size_t> of_job;             // the last of each, of the last table
   std::map<std::string, std::size_t> of_output;  // that wrote it last
 };
 
@@ -45,13 +45,16 @@ struct Manifest {
 // Throws InputError for other lines that are none of a manifest.
 [[nodiscard]] Manifest parse_manifest(std::string_view text, const std::string& name);
 
+// Throws InputError if the file exists; an empty one is none.
+void check_is_new(const std::string& path);
+
 // A manifest that is being written; one process at a time.
 class ManifestFile {
  public:
   enum class Existing { refuse, go_on, replace };
 
-  // Throws InputError where it cannot be written, exists against `existing`, or another process
-  // writes it.
+  // Throws InputError where it cannot be written, exists against `existing`, holds what is no
+  // manifest, or another process writes it.
   ManifestFile(std::string path, Existing existing);
   ~ManifestFile();
   ManifestFile(const ManifestFile&) = delete;

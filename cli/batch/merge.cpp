@@ -1,10 +1,10 @@
 #include "cli/batch/merge.h"
 
-#include <cstdio>
 #include <map>
 
 #include "cli/output_file.h"
 #include "cli/read_file.h"
+#include "cli/say_error.h"
 #include "render/write_file.h"
 #include "terrain/error.h"
 
@@ -73,11 +73,10 @@ int merge_manifests(const std::vector<std::string>& paths, const ViewOptions& op
   file.fill([&](const std::string& path) { write_file(path, merged.text); });
   file.commit();
   for (const JobRecord& record : merged.failed)
-    std::fprintf(stderr, "terrview: job %d: %s\n", record.job, record.error.c_str());
+    say_error("job " + std::to_string(record.job) + ": " + record.error);
   if (!merged.missing.empty())
-    std::fprintf(stderr,
-                 "terrview: jobs %s: in none of the manifests: run their shard with --resume\n",
-                 in_ranges(merged.missing).c_str());
+    say_error("jobs " + in_ranges(merged.missing) +
+              ": in none of the manifests: run their shard with --resume");
   return merged.failed.empty() && merged.missing.empty() ? 0 : 3;
 }
 

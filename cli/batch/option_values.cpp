@@ -89,7 +89,9 @@ std::optional<std::string> ViewVocabulary::option_of(const std::string& column) 
 std::string ViewVocabulary::nearest(const std::string& column) const {
   std::string best;
   for (const auto& [name, unused] : definitions_->by_name)
-    if (best.empty() || edit_distance(name, column) < edit_distance(best, column)) best = name;
+    if (!is_common(name) &&
+        (best.empty() || edit_distance(name, column) < edit_distance(best, column)))
+      best = name;
   return best;
 }
 

@@ -33,7 +33,7 @@ class ViewVocabulary {
   // The option that a column sets; '_' counts as '-'. nullopt: none.
   [[nodiscard]] std::optional<std::string> option_of(const std::string& column) const;
 
-  // Of all options, the one that looks most like `column`.
+  // Of all options that a column may set, the one that looks most like `column`.
   [[nodiscard]] std::string nearest(const std::string& column) const;
 
   // Whether an option is one for a whole batch: says how DEMs are read, or how the program behaves.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+
+#include <glm/common.hpp>
 
 #include "cli/camera_json.h"
 #include "cli/output_file.h"
@@ -22,8 +25,16 @@ constexpr double kWidest_px = 320;
 
 ViewOptions small_view(ViewOptions options, int threads) {
   const glm::ivec2 size_px = options.size_px.value_or(ResolvedView{}.size_px);
-  const double scale = std::min(1.0, kWidest_px / size_px.x);
-  options.size_px = glm::max(glm::ivec2(1), glm::ivec2(scale * glm::dvec2(size_px)));
+  const double scale =
+      std::min(1.0, kWidest_px / (options.crop ? options.crop->size_px.x : size_px.x));
+  const auto small = [&](glm::ivec2 px) { return glm::ivec2(scale * glm::dvec2(px)); };
+  const glm::ivec2 whole_px = glm::max(glm::ivec2(1), small(size_px));
+  options.size_px = whole_px;
+  if (options.crop) {
+    const glm::ivec2 first_px = glm::min(small(options.crop->first_px), whole_px - 1);
+    const glm::ivec2 room_px = whole_px - first_px;
+    options.crop = {first_px, glm::clamp(small(options.crop->size_px), glm::ivec2(1), room_px)};
+  }
   options.quiet = true;
   options.threads = threads;
   return options;
@@ -61,7 +72,8 @@ Palette make_shared_palette(const std::vector<const Job*>& jobs, const std::vect
 void save_shared_palette(const Palette& palette, const std::string& path,
                          const std::string& own_path, bool replaces) {
   const std::string text = palette_text(palette, path);
-  if (!replaces && fs::exists(path)) {
+  std::error_code ignored;
+  if (!replaces && fs::exists(path, ignored)) {
     if (read_file(path) == text) return;
     throw InputError("'" + path +
                      "': is another palette: give --overwrite, or --resume to keep it");

@@ -26,10 +26,22 @@ std::vector<double> slopes_of(const std::vector<double>& knots, const std::vecto
   return slopes;
 }
 
+double limited(double slope, double chord) {
+  if (slope * chord <= 0) return 0;
+  return std::copysign(std::min(std::abs(slope), 3 * std::abs(chord)), slope);
+}
+
 }  // namespace
 
-Spline::Spline(std::vector<double> knots, std::vector<double> values)
-    : knots_(std::move(knots)), values_(std::move(values)), slopes_(slopes_of(knots_, values_)) {}
+Spline::Spline(std::vector<double> knots, std::vector<double> values, Shape shape)
+    : knots_(std::move(knots)), values_(std::move(values)), slopes_(slopes_of(knots_, values_)) {
+  if (shape == Shape::smooth) return;
+  for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+    const double chord = (values_[i + 1] - values_[i]) / (knots_[i + 1] - knots_[i]);
+    slopes_[i] = limited(slopes_[i], chord);
+    slopes_[i + 1] = limited(slopes_[i + 1], chord);
+  }
+}
 
 double Spline::at(double t) const {
   if (t <= knots_.front()) return values_.front();

@@ -11,8 +11,13 @@ namespace terrview {
 // ends.
 class Spline {
  public:
+  // monotone: rises or falls between two knots as their values do, and so stays between these, by
+  // slopes as in Fritsch and Carlson (1980): at most three times those of the chords beside, and 0
+  // where these go up and down.
+  enum class Shape { smooth, monotone };
+
   // `knots` increase; at least one.
-  Spline(std::vector<double> knots, std::vector<double> values);
+  Spline(std::vector<double> knots, std::vector<double> values, Shape shape = Shape::smooth);
 
   [[nodiscard]] double at(double t) const;
 

@@ -73,6 +73,15 @@ TEST_F(Output, IsNeverAFileThatTheViewReads) {
         run(words("hills.tif --eye 48,7,+20 --overwrite") + Arguments{option, "./hills.tif"}),
         {"hills.tif", "read by this view"});
   EXPECT_TRUE(bytes("hills.tif") == before);
+  view("--camera camera.json --palette 4 --save-palette palette.json");
+  write_text(path("colors.txt"), "0 1 2 3\n9 4 5 6\n");
+  std::filesystem::create_hard_link(path("colors.txt"), path("link.txt"));
+  for (const std::string line :
+       {"--colors colors.txt --stats colors.txt", "--colors link.txt --stats colors.txt",
+        "--use-palette palette.json --stats palette.json",
+        "--from-camera camera.json --stats camera.json"})
+    expect_refused(run(words("hills.tif --eye 48,7,+20 --overwrite " + line)),
+                   {"read by this view"});
 }
 
 TEST_F(Output, OfAFailingRunIsNoFileAtAll) {

@@ -1,13 +1,17 @@
 // Blocks framed by themselves, their ticks, and sheets of maps: docs/overview.md.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <set>
 
 #include <ogr_spatialref.h>
 
 #include "cli/overview_block.h"
+#include "cli/overview_furniture.h"
 #include "cli/overview_sheets.h"
 #include "cli/overview_ticks.h"
 #include "terrain/error.h"
@@ -99,6 +103,86 @@ TEST(OverviewBlock, RefusesAPictureWithoutRoom) {
   const std::vector<Dem> dems{dem_of(3, 3, [](int, int) { return 1.0; })};
   EXPECT_THROW(static_cast<void>(make_block(framed("--size 100x60"), dems)), InputError);
   EXPECT_NO_THROW(static_cast<void>(make_block(framed("--size 100x60 --plain"), dems)));
+}
+
+TEST(OverviewBlock, IsRefusedWithItsOwnSizeAlone) {
+  const std::vector<Dem> dems{dem_of(3, 3, [](int, int) { return 1.0; })};
+  try {
+    static_cast<void>(make_block(framed("--size 500000x100 --plain"), dems));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(says(error.what(), {"--size: 500000x100"}));
+  }
+  // However small the ground.
+  std::vector<Dem> tiny = dems;
+  tiny[0].placement.step[0] *= 1e-3;
+  tiny[0].placement.step[1] *= 1e-3;
+  EXPECT_NO_THROW(static_cast<void>(make_block(framed("--size 8000x6000"), tiny)));
+}
+
+TEST(OverviewBlock, WithoutAFontIsRefusedBeforeItIsDrawn) {
+  const std::vector<Dem> dems{dem_of(3, 3, [](int, int) { return 1.0; })};
+  EXPECT_THROW(static_cast<void>(make_block(framed("--font none.ttf"), dems)), InputError);
+  for (const char* line : {"--font a.ttf", "--title A", "--ticks own"})
+    EXPECT_THROW(static_cast<void>(framed("--plain " + std::string(line))), InputError) << line;
+}
+
+// Furniture alone, on paper.
+class OverviewFurniture : public testing::Test {
+ protected:
+  OverviewFurniture() {
+    dems_[0].crs_wkt = SRS_WKT_WGS84_LAT_LONG;
+    dems_[0].placement = {{7, 48}, {{0.001, 0}, {0, -0.001}}};
+  }
+
+  [[nodiscard]] Image drawn(const std::string& line) const {
+    const OverviewOptions options = framed("--size 500x400 --from sw " + line);
+    const BlockView block = make_block(options, dems_);
+    Image image(500, 400);
+    for (int row = 0; row < 400; ++row)
+      for (int column = 0; column < 500; ++column) image.at(column, row) = glm::vec3(1);
+    draw_furniture(options, dems_, block, image);
+    return image;
+  }
+
+  // Pixels of a part of the picture that are other than in another one, or not paper.
+  [[nodiscard]] static int inked(const Image& image, const PixelRect& part,
+                                 const Image* other = nullptr) {
+    int count = 0;
+    for (int row = 0; row < part.size_px.y; ++row) {
+      for (int column = 0; column < part.size_px.x; ++column) {
+        const glm::ivec2 at = part.first_px + glm::ivec2(column, row);
+        count += image.at(at.x, at.y) != (other ? other->at(at.x, at.y) : glm::vec3(1)) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  std::vector<Dem> dems_{dem_of(60, 40, [](int column, int) { return 200.0 + column; })};
+  const PixelRect title_{{0, 0}, {250, 40}};
+  const PixelRect arrow_{{430, 0}, {70, 50}};
+  const PixelRect scale_{{0, 370}, {200, 30}};
+  const PixelRect heights_{{400, 370}, {100, 30}};
+  const PixelRect sides_{{0, 50}, {500, 320}};
+};
+
+TEST_F(OverviewFurniture, StandsInItsPlaces) {
+  const Image image = drawn("--title Hills");
+  for (const PixelRect& part : {title_, arrow_, scale_, heights_, sides_})
+    EXPECT_GT(inked(image, part), 20) << part.first_px.x << "," << part.first_px.y;
+}
+
+TEST_F(OverviewFurniture, FollowsItsOptions) {
+  const Image hills = drawn("--title Hills");
+  const Image valleys = drawn("--title Valleys");
+  EXPECT_GT(inked(hills, title_, &valleys), 20);
+  for (const PixelRect& part : {arrow_, scale_, heights_, sides_})
+    EXPECT_EQ(inked(hills, part, &valleys), 0);
+  const Image named = drawn("");
+  EXPECT_GT(inked(hills, title_, &named), 20);
+  const Image higher = drawn("--title Hills --z-scale 7.5");
+  EXPECT_GT(inked(hills, heights_, &higher), 5);
+  EXPECT_EQ(inked(hills, title_, &higher), 0);
 }
 
 // By PROJ through OGR: where a place of UTM zone 32 lies on the Earth.
@@ -234,11 +318,52 @@ TEST_F(Sheets, AreRefusedBeforeAnyIsWritten) {
   expect_refused(run(words("overview hills.tif --tiles 2x2")), {"hills_1_1.tif", "--overwrite"});
   EXPECT_EQ(outputs(), std::vector<std::string>{"hills_1_1.tif"});
   expect_refused(run(words("overview hills.tif --tiles 2x2 -o map.tif")), {"map.tif", "{name}"});
+  expect_refused(
+      run(words("overview hills.tif --tiles 2x2 -o {name}" + std::string(260, 'x') + ".tif")),
+      {"cannot be written"});
   expect_refused(run(words("overview hills.tif --tiles 99x2")), {"--tiles", "41x41"});
   expect_refused(run(words("overview hills.tif --tiles 0x2")), {"--tiles"});
   expect_refused(run(words("overview hills.tif --tile-size 10x0")), {"--tile-size"});
-  EXPECT_THROW(static_cast<void>(sheet_path("{name}.tif", "../up")), InputError);
-  EXPECT_THROW(static_cast<void>(sheet_path("{name}.tif", "")), InputError);
+}
+
+TEST_F(Sheets, HaveAlphaThoughTheyHaveNoGap) {
+  ASSERT_EQ(run(words("overview hills.tif -q --tiles 3x3 -o {name}.tif")).exit_code, 0);
+  const GDALDatasetUniquePtr middle(GDALDataset::Open(path("1_1.tif").c_str()));
+  ASSERT_TRUE(middle);
+  ASSERT_EQ(middle->GetRasterCount(), 4);
+  std::array<double, 2> range{};
+  ASSERT_EQ(middle->GetRasterBand(4)->ComputeRasterMinMax(false, range.data()), CE_None);
+  EXPECT_EQ(range[0], 255);
+}
+
+TEST_F(Sheets, AreRefusedForAFileBesideAPicture) {
+  write_text(path("m-1_0.pgw"), "mine");
+  expect_refused(run(words("overview hills.tif --tiles 2x1 -o m-{name}.png")),
+                 {"m-1_0.pgw", "--overwrite"});
+  EXPECT_EQ(outputs(), std::vector<std::string>{"m-1_0.pgw"});
+}
+
+TEST_F(Sheets, HaveNamesByTheTemplateOfABatch) {
+  const std::vector<Sheet> sheets{{"a", {}}, {"b", {}}};
+  EXPECT_EQ(sheet_paths("{name}/{index:02}-{name}{{}}.tif", sheets),
+            (std::vector<std::string>{"a/01-a{}.tif", "b/02-b{}.tif"}));
+  for (const std::string pattern : {"map.tif", "{{name}}.tif", "{sheet}.tif", "{name.tif"})
+    EXPECT_THROW(static_cast<void>(sheet_paths(pattern, sheets)), InputError) << pattern;
+  for (const std::string name : {"../up", "", "..", "two\nlines"})
+    EXPECT_THROW(static_cast<void>(sheet_paths("{name}.tif", {{name, {}}})), InputError) << name;
+  const Finished finished = run(words("overview hills.tif -q --tiles 2x1 -o new/{name}.tif"));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(outputs(), std::vector<std::string>{"new"});
+}
+
+TEST_F(Sheets, AreNoFileThatIsRead) {
+  std::filesystem::copy_file(path("hills.tif"), path("0_0.tif"));
+  write_text(path("1_0.tif"),
+             R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":
+             {"name":"1_0"},"geometry":{"type":"Polygon","coordinates":[[[6.9,47.9],[7.1,47.9],
+             [7.1,48.1],[6.9,48.1],[6.9,47.9]]]}}]})");
+  for (const std::string line : {"0_0.tif --tiles 1x1", "hills.tif --sheets 1_0.tif"})
+    expect_refused(run(words("overview --overwrite -o {name}.tif " + line)), {"is read by this"});
 }
 
 TEST_F(Sheets, OfOtherKindsOfOverviewAreRefused) {
@@ -257,6 +382,22 @@ TEST_F(Sheets, OrABlockComesOutOfOneCommand) {
   EXPECT_EQ(plain.size_px, glm::ivec2(400, 300));
   const auto corner = std::vector<std::uint8_t>(plain.values.begin(), plain.values.begin() + 3);
   EXPECT_EQ(corner, (std::vector<std::uint8_t>{246, 244, 239}));
+  // The title is above, where the block is not.
+  EXPECT_LT(*std::min_element(plain.values.begin(), plain.values.begin() + 3 * 400 * 40), 60);
+}
+
+TEST_F(Sheets, OrABlockThatSaysAllThatChangesIt) {
+  const auto said = [&](const std::string& line) {
+    const Finished finished =
+        run(words("overview hills.tif -q --size 300x240 --samples 1 --overwrite -o b.png " + line));
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    const std::string text = bytes("b.png");
+    const std::size_t at = text.find("terrview:view");
+    return text.substr(at, text.find("IDAT") - at);
+  };
+  const std::set<std::string> texts{said("--title A"), said("--title B"),
+                                    said("--title A --ticks degrees"), said("--plain")};
+  EXPECT_EQ(texts.size(), 4U);
 }
 
 TEST_F(Sheets, OrCloudOptimizedMapsAreGeoTiffs) {

@@ -39,20 +39,36 @@ TEST_F(ViewsInFlight, FitIntoTheMemory) {
   for (double mebibytes = 100; mebibytes < 2000; mebibytes += 50) {
     const int views = of(100, 8, mebibytes);
     EXPECT_GE(views, before);
-    EXPECT_TRUE(views == 1 || views * view_bytes(job_, 1e6) < mebibytes * kMebibyte);
+    EXPECT_TRUE(views == 1 || views * view_bytes(job_, dems_) < mebibytes * kMebibyte);
     before = views;
   }
   EXPECT_EQ(before, 8);
 }
 
 TEST_F(ViewsInFlight, CountLayersAndTheSkysView) {
-  const double plain = view_bytes(job_, 1e6);
+  const double plain = view_bytes(job_, dems_);
   Job layers = job_;
   layers.outputs.emplace_back("a.tif");
-  EXPECT_GT(view_bytes(layers, 1e6), 2 * plain);
+  EXPECT_GT(view_bytes(layers, dems_), 2 * plain);
   Job sky = job_;
   sky.options.light.sky_azimuths = 16;
-  EXPECT_GT(view_bytes(sky, 1e8), 2.8e9);
+  EXPECT_GT(view_bytes(sky, dems_), plain + 28e6);
+}
+
+TEST_F(ViewsInFlight, CountThePixelsThatAreMade) {
+  Job part = job_;
+  part.options.size_px = {20'000, 20'000};
+  part.options.crop = PixelRect{{9000, 9000}, {1000, 1000}};
+  EXPECT_EQ(view_bytes(part, dems_), view_bytes(job_, dems_));
+  Job plan;
+  plan.options.plan = true;
+  const double of_posts = view_bytes(plan, dems_);
+  EXPECT_GT(of_posts, 26e6);  // 26 a pixel, as measured
+  dems_[0].placement = {{0, 0}, {{10, 0}, {0, -10}}};
+  plan.options.resolution = glm::dvec2(1, 1);
+  EXPECT_GT(view_bytes(plan, dems_), 70 * of_posts);
+  plan.options.resolution = glm::dvec2(-1, 1);  // none
+  EXPECT_LT(view_bytes(plan, dems_), of_posts);
 }
 
 }  // namespace

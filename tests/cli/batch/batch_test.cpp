@@ -151,7 +151,8 @@ TEST_F(Batch, RefusesWhatIsThereUnlessResumedOrOverwritten) {
   expect_refused(run(line()), {"o/v1.png", "--overwrite", "--resume"});
   fs::remove(path("o/v1.png"));
   fs::remove(path("o/v2.png"));
-  expect_refused(run(line()), {"o/jobs.jsonl", "--resume"});
+  expect_refused(run(line("--palette 4 --shared-palette")), {"o/jobs.jsonl", "--resume"});
+  EXPECT_FALSE(fs::exists(path("o/jobs.palette.json")));
   EXPECT_EQ(run(line("--overwrite")).exit_code, 0);
   EXPECT_EQ(records("o/jobs.jsonl").size(), 2U);
 }
@@ -170,6 +171,16 @@ TEST_F(Batch, LosesTheBadRowAlone) {
   const auto said = records("o/jobs.jsonl");
   ASSERT_EQ(said.size(), 5U);
   EXPECT_TRUE(says(said.at(4).at("error"), {"none.geojson"}));
+}
+
+TEST_F(Batch, SaysAFailureInALineThoughTheNameHasTwo) {
+  write_text(path("jobs.json"), R"([{"name": "a\nb", "eye": "48,7,+20", "heading": "east"},
+                                    {"name": "c", "eye": "48,7,+20"}])");
+  const Finished finished =
+      run(words("batch jobs.json --dem hills.tif -q --size 16x12 --heading 1 -o {index}.png"));
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_TRUE(says(finished.err, {"job 1 (a b): --heading east"}));
+  EXPECT_EQ(finished.err.find('\n'), finished.err.size() - 1) << finished.err;
 }
 
 TEST_F(Batch, OverAVanishedDemFailsAndSaysSo) {
@@ -253,10 +264,45 @@ TEST_F(Batch, ThatCannotBeIsRefusedBeforeAnythingIsWritten) {
   refused("jobs.csv --dem hills.tif", {"-o", "{name}.png"});
   refused("jobs.csv --dem hills.tif -o a.png", {"a.png", "job 1 (v1)", "job 2 (v2)"});
   refused("none.csv --dem hills.tif -o {name}.png", {"none.csv"});
+  refused(". --dem hills.tif -o {name}.png", {"'.'", "is a folder"});
+  refused("jobs.csv --dem hills.tif --eye 48,7,+20 -o jobs.csv/{name}.png", {"cannot be made"});
   refused("jobs.csv --dem hills.tif -o {name}.png --shard 3/3", {"--shard 3/3"});
   refused("jobs.csv --dem hills.tif -o {name}.jsonl --of PNG --manifest v2.jsonl", {"job 2 (v2)"});
   refused("jobs.csv --dem hills.tif -o {name}.png --progressive p.png", {"--progressive"});
+  for (const std::string name : {"--fps", "--duration", "--speed", "--lift"})
+    refused("jobs.csv --dem hills.tif -o {name}.png " + name + " 2", {name, "--path"});
+  refused("--path jobs.csv --dem hills.tif -o {name}.png --lift 2", {"--lift", "GPX"});
   refused("--merge a.jsonl", {"-o"});
+}
+
+TEST_F(Batch, WritesOverNoFileThatItReads) {
+  const std::string table = R"([{"name": "jobs", "eye": "48,7,+20"}, {"name": "b"}])";
+  for (const std::string name : {"jobs.json", "jobs.jsonl", "jobs.palette.json"})
+    write_text(path(name), table);
+  const std::string kept = bytes("hills.tif");
+  const auto refused = [&](const std::string& args, const std::string& file) {
+    SCOPED_TRACE(args);
+    for (const std::string how : {"--overwrite", "--resume"})
+      expect_refused(run(words("batch " + args + " " + how + " --dem hills.tif --heading 1")),
+                     {"'" + file + "'", "is read by this batch"});
+  };
+  refused("jobs.json -o {name}.png --manifest hills.tif", "hills.tif");
+  refused("jobs.jsonl -o {name}.png", "jobs.jsonl");
+  refused("jobs.json -o {name}.png --stats {name}.json", "jobs.json");
+  refused(
+      "jobs.palette.json -o {name}.png --palette 4 --shared-palette --manifest m.jsonl "
+      "--stats {name}.palette.json",
+      "jobs.palette.json");
+  EXPECT_EQ(bytes("jobs.jsonl"), table);
+  EXPECT_TRUE(bytes("hills.tif") == kept);
+}
+
+TEST_F(Batch, ThatCannotMakeOneViewHasNotBegun) {
+  write_table(2);
+  for (const std::string more : {"--size 0x9", "--colors none.txt", "--dem none.tif"})
+    expect_refused(run(line(more)), {});
+  expect_refused(run(words("batch jobs.csv --dem hills.tif -o p/{name}.xyz")), {"job 1", "xyz"});
+  EXPECT_EQ(outputs(), std::vector<std::string>{"jobs.csv"});
 }
 
 TEST_F(Batch, SharesOnePaletteWhateverItsShards) {
@@ -273,6 +319,16 @@ TEST_F(Batch, SharesOnePaletteWhateverItsShards) {
   int lines = 0;
   static_cast<void>(records("whole/jobs.jsonl", &lines));
   EXPECT_EQ(lines, 6);
+}
+
+TEST_F(Batch, SharesThePaletteOfWhatIsCroppedToo) {
+  write_text(path("jobs.csv"), "name,eye,heading\na,\"48,7,+20\",9\n");
+  const std::string crop = "--size 400x300 --crop 300,150,40,30 ";
+  EXPECT_EQ(run(line(crop + "--palette 16 --shared-palette")).exit_code, 0);
+  view("--eye 48,7,+20 --heading 9 --palette 16 --save-palette p.json " + crop);
+  EXPECT_EQ(json("o/jobs.palette.json"), json("p.json"));
+  const std::string wide = "--size 2000x1500 --crop 1000,749,999,1 ";
+  EXPECT_EQ(run(line(wide + "--palette 16 --shared-palette", "wide")).exit_code, 0);
 }
 
 TEST_F(Batch, OfAPathMakesFramesAndSaysHowToFilm) {

@@ -50,6 +50,25 @@ RC_GTEST_PROP(SplineProperty, IsExactOnAParabola, ()) {
   }
 }
 
+RC_GTEST_PROP(SplineProperty, ThatIsMonotoneStaysBetweenNeighboursWithOneSlope, ()) {
+  const auto knots = increasing(*rc::gen::inRange<std::size_t>(2, 9));
+  std::vector<double> values;
+  for (std::size_t i = 0; i < knots.size(); ++i) values.push_back(*rc::gen::inRange(0, 9));
+  const Spline spline(knots, values, Spline::Shape::monotone);
+  constexpr double kStep = 1e-6;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const auto [low, high] = std::minmax(values[i], values[i + 1]);
+    for (double x = 0; x <= 1; x += 1.0 / 64) {
+      const double value = spline.at(knots[i] + x * (knots[i + 1] - knots[i]));
+      RC_ASSERT(value >= low - 1e-12 && value <= high + 1e-12);
+    }
+    if (i == 0) continue;
+    const double before = (values[i] - spline.at(knots[i] - kStep)) / kStep;
+    const double after = (spline.at(knots[i] + kStep) - values[i]) / kStep;
+    RC_ASSERT(std::abs(before - after) < 0.1);
+  }
+}
+
 JobTable frames(const std::string& csv, const PathOptions& options = {.frames_per_s = 1}) {
   return frames_of_keyframes(parse_job_table(csv, "t"), options);
 }
@@ -76,6 +95,21 @@ TEST(CameraPath, TurnsTheShorterWay) {
   const JobTable table = frames("time,heading,eye\n0,350,\"0,179,1\"\n2,20,\"0,-179,1\"\n");
   EXPECT_NEAR(parse_number("", table.rows[1].text("heading")), 5, 1e-9);
   EXPECT_NEAR(std::abs(parse_eye(table.rows[1].text("eye")).geographic->longitude_deg), 180, 1e-9);
+}
+
+TEST(CameraPath, StaysOverTheGroundBetweenKeyframesThatDo) {
+  const JobTable table =
+      frames("time,eye\n0,\"48,7,+300\"\n2,\"48,7,+0\"\n4,\"48,7,+0\"\n6,\"48,7,+300\"\n",
+             {.frames_per_s = 8});
+  ASSERT_EQ(table.rows.size(), 49U);
+  for (const JobRow& row : table.rows) EXPECT_GE(parse_eye(row.text("eye")).height_m, 0);
+  EXPECT_EQ(table.rows[24].text("eye"), "48,7,+0");
+}
+
+TEST(CameraPath, OfOneKeyframeLastsForTheDuration) {
+  const JobTable table = frames("time,fov\n5,60\n", {.frames_per_s = 2, .duration_s = 3.0});
+  ASSERT_EQ(table.rows.size(), 7U);
+  EXPECT_EQ(table.rows[6].text("fov"), "60");
 }
 
 TEST(CameraPath, StretchesToADuration) {

@@ -64,9 +64,6 @@ TEST(JobTable, HasAnErrorForTheRowThatIsBadAlone) {
   EXPECT_NE(csv.rows[1].error.find("line 3 has 3 cells"), std::string::npos) << csv.rows[1].error;
   EXPECT_NE(csv.rows[2].error, "");
   EXPECT_EQ(csv.rows[3].error, "");
-  const JobTable json = parsed(R"([{"heading": {"a": 1}}, {"heading": 1}])");
-  EXPECT_NE(json.rows[0].error, "");
-  EXPECT_EQ(json.rows[1].error, "");
 }
 
 TEST(JobTable, ThatIsNoneIsRefused) {

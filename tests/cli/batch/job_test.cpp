@@ -87,10 +87,21 @@ TEST(Job, OfABadRowHasTheErrorAlone) {
 }
 
 TEST(Job, WithAnUnknownColumnIsRefusedWithTheNearestOption) {
+  EXPECT_FALSE(says(refusal("name,hel\na,1\n"), {"'help'"}));
   EXPECT_TRUE(says(refusal("name,haeding\na,1\n"), {"haeding", "'heading'", "--ignore-columns"}));
   EXPECT_EQ(jobs("name,eye,owner\na,\"48,7,+2\",x\n", kPictures, true).front().error, "");
   EXPECT_EQ(jobs("id,eye,owner\n1,\"48,7,+2\",x\n", {{"o", {"{owner}-{id}.png"}}}).front().outputs,
             std::vector<std::string>{"x-1.png"});
+}
+
+TEST(Job, IgnoresAColumnOfObjects) {
+  const std::string table = R"([{"name": "a", "eye": "48,7,+2", "names": {"de": "A"}},
+                                {"name": "b", "eye": "48,7,+2", "heading": {"de": 1}},
+                                {"name": "c", "eye": [48, {}, 2]}])";
+  const auto all = jobs(table, kPictures, true);
+  EXPECT_EQ(all[0].error, "");
+  EXPECT_TRUE(says(all[1].error, {"--heading"}));
+  EXPECT_TRUE(says(all[2].error, {"--eye"}));
 }
 
 TEST(Job, TakesNoColumnThatHoldsForTheBatch) {
@@ -99,7 +110,8 @@ TEST(Job, TakesNoColumnThatHoldsForTheBatch) {
 }
 
 TEST(Job, WithATemplateOfNoColumnIsRefused) {
-  EXPECT_TRUE(says(refusal("name\na\n", {{"o", {"{nmae}.png"}}}), {"{nmae}", "no such column"}));
+  EXPECT_TRUE(says(refusal("name\na\n", {{"o", {"{nmae}.png"}}}), {"{nmae} of -o:", "no such"}));
+  EXPECT_TRUE(says(refusal("name\na\n", with(kPictures, "stats", "{x}")), {"{x} of --stats:"}));
 }
 
 TEST(Job, WithTheOutputOfAnotherIsRefused) {

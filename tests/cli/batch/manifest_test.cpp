@@ -76,6 +76,22 @@ TEST(ManifestFile, ThatExistsIsRefusedUnlessGoneOnWithOrReplaced) {
   EXPECT_THROW(ManifestFile(folder / "none/m.jsonl", Existing::refuse), InputError);
 }
 
+TEST(ManifestFile, ReplacesNoOtherKindOfFile) {
+  const TemporaryFolder folder;
+  for (const std::string text :
+       {"II*\x01", "II*\n\x02", "[{\"name\": \"a\"}]", "name,eye\na,1\n"}) {
+    write_text(folder / "mine", text);
+    for (const Existing existing : {Existing::refuse, Existing::go_on, Existing::replace}) {
+      EXPECT_THROW(ManifestFile(folder / "mine", existing), InputError) << text;
+      EXPECT_EQ(read_text(folder / "mine"), text);
+    }
+  }
+  for (const std::size_t torn : {1U, 9U, 12U, 30U}) {
+    write_text(folder / "mine", header(3).line().substr(0, torn));
+    EXPECT_NO_THROW(ManifestFile(folder / "mine", Existing::go_on)) << torn;
+  }
+}
+
 TEST(ManifestFile, IsOneProcesssAtATime) {
   const TemporaryFolder folder;
   const ManifestFile first(folder / "m.jsonl", Existing::refuse);
@@ -127,6 +143,16 @@ TEST(Merge, KnowsWhatIsMissingAndWhatFailed) {
   EXPECT_EQ(merged.missing, (std::vector<int>{4, 5, 6}));
   ASSERT_EQ(merged.failed.size(), 1U);
   EXPECT_EQ(merged.failed[0].job, 3);
+}
+
+TEST(Merge, KnowsNothingOfATableBeforeTheLast) {
+  ManifestHeader changed = header(3);
+  changed.table = "changed";
+  const std::string before = header(3).line() + record(1).line() + record(2).line();
+  const std::string after = changed.line() + record(2).line() + changed.line();
+  const Manifest manifest = parse_manifest(before + after, "m");
+  EXPECT_EQ(merge({manifest}).missing, (std::vector<int>{1, 3}));
+  EXPECT_EQ(manifest.of_output.count("1.png"), 1U);  // still there to be compared
 }
 
 TEST(Merge, OfDifferentTablesIsRefused) {
