@@ -19,10 +19,25 @@ Box overlap(const Box& a, const Box& b) {
   return is_empty ? Box{glm::dvec3(kEndless), glm::dvec3(-kEndless)} : both;
 }
 
-Box composed(CsgOperator op, const Box& left, const Box& right) {
-  if (op == CsgOperator::subtract) return left;
-  if (op == CsgOperator::intersect) return overlap(left, right);
-  return {glm::min(left.lowest_m, right.lowest_m), glm::max(left.highest_m, right.highest_m)};
+Box hull(const Box& a, const Box& b) {
+  return {glm::min(a.lowest_m, b.lowest_m), glm::max(a.highest_m, b.highest_m)};
+}
+
+bool may_meet(const Line& line, const Box& box) {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = -from;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double pace = line.direction[axis];
+    const double low_m = box.lowest_m[axis] - line.origin_m[axis];
+    const double high_m = box.highest_m[axis] - line.origin_m[axis];
+    if (pace == 0) {
+      if (low_m > 0 || high_m < 0) return false;
+      continue;
+    }
+    from = std::max(from, (pace > 0 ? low_m : high_m) / pace);
+    to = std::min(to, (pace > 0 ? high_m : low_m) / pace);
+  }
+  return from <= to;
 }
 
 // Whether rounding alone may have parted two crossings: of the same surface, or at an edge.
@@ -70,16 +85,26 @@ CsgSolid::CsgSolid(CsgOperator op, SolidPtr left, SolidPtr right)
     : op_(op),
       left_(std::move(left)),
       right_(std::move(right)),
-      bounds_(composed(op, left_->bounds(), right_->bounds())) {}
+      left_box_(left_->bounds()),
+      right_box_(right_->bounds()) {
+  if (op == CsgOperator::add) {
+    bounds_ = hull(left_box_, right_box_);
+    return;
+  }
+  right_box_ = overlap(left_box_, right_box_);
+  if (op == CsgOperator::intersect) left_box_ = right_box_;
+  bounds_ = left_box_;
+}
 
 void CsgSolid::append_crossings(const Line& line, Crossings& crossings) const {
   // The one list is a stack: the left's, the right's, then the result, which takes their place.
   const std::size_t first = crossings.size();
-  left_->append_crossings(line, crossings);
+  if (may_meet(line, left_box_)) left_->append_crossings(line, crossings);
   const std::size_t middle = crossings.size();
   if (middle == first && op_ != CsgOperator::add) return;
-  right_->append_crossings(line, crossings);
+  if (may_meet(line, right_box_)) right_->append_crossings(line, crossings);
   const std::size_t last = crossings.size();
+  if (middle == last && op_ != CsgOperator::intersect) return;
   for (std::size_t i = middle; i < last; ++i) crossings[i].part += left_->parts();
   append_merged(first, middle, last, crossings);
   const auto begin = crossings.begin();

@@ -27,7 +27,8 @@ class CsgSolid final : public Solid {
 
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] int parts() const override { return left_->parts() + right_->parts(); }
-  // Asks the right side nothing where the left is empty and that decides.
+  // Asks a side nothing where the line misses the box of what can matter of it, nor the right where
+  // the left is empty and that decides.
   void append_crossings(const Line& line, Crossings& crossings) const override;
 
  private:
@@ -37,6 +38,8 @@ class CsgSolid final : public Solid {
   CsgOperator op_;
   SolidPtr left_;
   SolidPtr right_;
+  Box left_box_;   // of what can matter of the left
+  Box right_box_;  // and of the right
   Box bounds_;
 };
 

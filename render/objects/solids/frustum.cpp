@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "render/objects/solids/check_size.h"
 #include "render/objects/solids/crossing.h"
@@ -37,7 +38,7 @@ struct Frustum::Quadratic {
 
   Quadratic(const Frustum& of, const glm::dvec3& from_m, const glm::dvec3& way) {
     const double radius_m = of.shape_.base_radius_m + of.taper_ * from_m.z;
-    const double off_axis_m = std::hypot(from_m.x, from_m.y);
+    const double off_axis_m = glm::length(glm::dvec2(from_m));
     const double growth = of.taper_ * way.z;
     a = way.x * way.x + way.y * way.y - growth * growth;
     b = from_m.x * way.x + from_m.y * way.y - radius_m * growth;
@@ -84,7 +85,7 @@ RayRange Frustum::within_side(const Line& line) const {
 }
 
 glm::dvec3 Frustum::side_normal(const glm::dvec3& at_m) const {
-  const double off_axis_m = std::hypot(at_m.x, at_m.y);
+  const double off_axis_m = glm::length(glm::dvec2(at_m));
   if (off_axis_m == 0) return {0, 0, taper_ > 0 ? -1 : 1};
   return glm::normalize(glm::dvec3(at_m.x / off_axis_m, at_m.y / off_axis_m, -taper_));
 }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "render/objects/solids/check_size.h"
 #include "render/objects/solids/crossing.h"
@@ -59,12 +60,12 @@ Box Torus::bounds() const {
 
 // The distance of a point from the surface, negative inside.
 double Torus::outside_m(const glm::dvec3& at_m) const {
-  const double off_ring_m = std::hypot(at_m.x, at_m.y) - shape_.major_radius_m;
-  return std::hypot(off_ring_m, at_m.z) - shape_.minor_radius_m;
+  const double off_ring_m = glm::length(glm::dvec2(at_m)) - shape_.major_radius_m;
+  return glm::length(glm::dvec2(off_ring_m, at_m.z)) - shape_.minor_radius_m;
 }
 
 glm::dvec3 Torus::normal(const glm::dvec3& at_m) const {
-  const double off_axis_m = std::hypot(at_m.x, at_m.y);
+  const double off_axis_m = glm::length(glm::dvec2(at_m));
   const double share = 1 - shape_.major_radius_m / off_axis_m;
   return glm::normalize(glm::dvec3(at_m.x * share, at_m.y * share, at_m.z));
 }

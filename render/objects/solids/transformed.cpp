@@ -56,6 +56,7 @@ Box Transformed::bounds() const {
   const Box inner = solid_->bounds();
   if (glm::any(glm::greaterThan(inner.lowest_m, inner.highest_m))) return inner;
   Box outer{shift_m_, shift_m_};
+  glm::dvec3 sizes_m = glm::abs(shift_m_);  // of all that is finite in the sums
   // Column by column (Arvo, Transforming Axis-Aligned Bounding Boxes, Graphics Gems, 1990); 0 of
   // what is infinite is 0.
   for (int column = 0; column < 3; ++column)
@@ -66,7 +67,11 @@ Box Transformed::bounds() const {
       const double b_m = scale * inner.highest_m[column];
       outer.lowest_m[row] += std::min(a_m, b_m);
       outer.highest_m[row] += std::max(a_m, b_m);
+      for (const double term_m : {a_m, b_m})
+        if (std::isfinite(term_m)) sizes_m[row] += std::abs(term_m);
     }
+  outer.lowest_m -= kLostDigits * sizes_m;
+  outer.highest_m += kLostDigits * sizes_m;
   return outer;
 }
 
