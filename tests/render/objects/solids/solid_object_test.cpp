@@ -89,6 +89,31 @@ TEST(SolidObject, HitsLieWithinTheBoundsToTheLastBit) {
   }
 }
 
+// Lifted as far as shading lifts its rays towards lights.
+TEST(SolidObject, ARayThatLeavesAConvexSolidDoesNotMeetItAgain) {
+  std::mt19937_64 engine(4);
+  int left = 0;
+  for (int round = 0; round < 200; ++round) {
+    const glm::dvec3 at_m = std::pow(10.0, real(engine, 0, 6)) * direction(engine);
+    for (const Body& body : {sphere_body(2), box_body({{-1, -2, -3}, {3, 2, 1}}),
+                             frustum_body(2, 1, 3), frustum_body(2, 0, 5), frustum_body(1, 1, 4)}) {
+      const SolidObject object(transformed(body, shift(at_m) * turn(engine, true)).solid);
+      const Line line = line_through(engine, at_m, 1, 1e5);
+      const auto hit = object.first_hit({line.origin_m, line.direction});
+      if (!hit || glm::dot(hit->normal, line.direction) > 0) continue;
+      const glm::dvec3 size_m = glm::abs(hit->position_m);
+      const double lift_m = 1e-10 * (size_m.x + size_m.y + size_m.z + 1);
+      const glm::dvec3 from_m = hit->position_m + lift_m * hit->normal;
+      for (int i = 0; i < 20; ++i) {
+        const glm::dvec3 way = direction(engine);
+        EXPECT_FALSE(object.stops({from_m, glm::dot(way, hit->normal) < 0 ? -way : way}));
+        ++left;
+      }
+    }
+  }
+  EXPECT_GT(left, 5000);
+}
+
 TEST(SolidObject, ASetFindsWhatTestingEverySolidFinds) {
   std::mt19937_64 engine(3);
   for (const double spread_m : {3.0, 300.0}) {
