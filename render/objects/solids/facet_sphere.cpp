@@ -147,14 +147,12 @@ void FacetSphere::test_stretch(double from, double to, Test& test) const {
   const double slack_m = kSlack * radius_m_;
   const int first = mesh_.band_at(std::max(a_m.z, b_m.z) + slack_m);
   const int last = mesh_.band_at(std::min(a_m.z, b_m.z) - slack_m);
-  // The azimuth of a line turns one way, by less than half a circle; near the axis, by any amount.
+  // The azimuth of a line turns one way, by up to half a circle. Near a pole it is uncertain.
   const double begin = std::atan2(a_m.y, a_m.x);
   const double turn = std::remainder(std::atan2(b_m.y, b_m.x) - begin, 2 * std::numbers::pi);
-  constexpr double kNearHalf = 3;
   constexpr double kNearAxis = 1e-6;
-  const bool is_near =
-      std::min(std::hypot(a_m.x, a_m.y), std::hypot(b_m.x, b_m.y)) < kNearAxis * radius_m_;
-  const bool is_any = is_near || std::abs(turn) > kNearHalf;
+  const bool is_any =
+      std::min(glm::length(glm::dvec2(a_m)), glm::length(glm::dvec2(b_m))) < kNearAxis * radius_m_;
   const double per_group = 2 * std::numbers::pi / mesh_.points();
   const double from_group = is_any ? 0 : (begin + std::min(turn, 0.0)) / per_group;
   const double to_group = is_any ? mesh_.points() : (begin + std::max(turn, 0.0)) / per_group;

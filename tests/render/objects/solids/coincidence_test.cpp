@@ -15,9 +15,10 @@
 namespace terrview {
 namespace {
 
-// The same body by another way: turned and stretched, and back.
+// The same body by another way: turned, stretched and moved up to 1000 km, and back.
 Body rewritten(const Body& body, std::mt19937_64& engine) {
-  const glm::dmat4 there = shift(10.0 * direction(engine)) * turn(engine, true);
+  const glm::dvec3 by_m = std::pow(10.0, real(engine, -1, 6)) * direction(engine);
+  const glm::dmat4 there = shift(by_m) * turn(engine, true);
   return transformed(transformed(body, there), glm::inverse(there));
 }
 
@@ -50,7 +51,8 @@ bool scratches(const Solid& solid, const Line& line) {
 TEST(CoincidentSurfaces, ABodyLessItselfIsNothingAndWithItselfIsItself) {
   std::mt19937_64 engine(1);
   for (int round = 0; round < 200; ++round)
-    for (const Body& body : primitives(engine)) {
+    for (const Body& primitive : primitives(engine)) {
+      const Body body = transformed(primitive, turn(engine, true));
       const Placed same = placed(body, body, engine);
       for (int i = 0; i < 20; ++i) {
         const Line line = line_through(engine, same.at_m, body.size_m, 1e6);
@@ -112,6 +114,27 @@ TEST(CoincidentSurfaces, TouchingBoxesHaveNoInnerFace) {
       const bool is_corner = scratches(*composed(CsgOperator::subtract, cut.a, cut.b).solid, line);
       EXPECT_TRUE(is_corner || length_m > 1e-9) << length_m;
     }
+  }
+}
+
+// Where rounding may choose between the two faces of an edge.
+TEST(CoincidentSurfaces, ABoxLessItselfIsNothingAtItsEdges) {
+  std::mt19937_64 engine(5);
+  const Box box{{-1, -2, -3}, {3, 2, 1}};
+  for (int round = 0; round < 2000; ++round) {
+    const glm::dmat4 to_place = shift(direction(engine)) * turn(engine);
+    const Body a = transformed(box_body(box), to_place);
+    const glm::dmat4 there = turn(engine);
+    const Body again =
+        transformed(transformed(transformed(box_body(box), there), glm::inverse(there)), to_place);
+    // Through a point of an edge and one inside.
+    const glm::dvec4 edge(3, real(engine, -2, 2), 1, 1);
+    const glm::dvec4 inside(real(engine, -0.9, 2.9), real(engine, -1.9, 1.9),
+                            real(engine, -2.9, 0.9), 1);
+    const glm::dvec3 from_m(to_place * edge);
+    const glm::dvec3 way(to_place * (inside - edge));
+    const Line line{from_m - 10.0 * way, way};
+    EXPECT_TRUE(crossings_of(*composed(CsgOperator::subtract, a, again).solid, line).empty());
   }
 }
 

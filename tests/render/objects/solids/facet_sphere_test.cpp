@@ -118,6 +118,23 @@ TEST(SphereMesh, ADiscsCirclesRiseInEqualAngles) {
     }
 }
 
+TEST(SphereMesh, KnowsHowNearToTheCentreItComes) {
+  for (const Cut& cut : kCuts) {
+    const SphereMesh mesh(5, cut.cut, cut.count);
+    double nearest_m = 5;
+    constexpr int kSteps = 40;
+    for (const Corners& t : triangles_of(mesh))
+      for (int i = 0; i <= kSteps; ++i)
+        for (int k = 0; i + k <= kSteps; ++k) {
+          const glm::dvec3 at_m =
+              t[0] + (t[1] - t[0]) * (1.0 * i / kSteps) + (t[2] - t[0]) * (1.0 * k / kSteps);
+          nearest_m = std::min(nearest_m, glm::length(at_m));
+        }
+    EXPECT_LE(mesh.inner_radius_m(), nearest_m + 1e-12) << cut.count;
+    EXPECT_GE(mesh.inner_radius_m(), nearest_m - 0.02) << cut.count;
+  }
+}
+
 TEST(SphereMesh, RefusesCountsThatMakeNoSphere) {
   for (const int count : {-1, 0, 2, 1001})
     EXPECT_THROW(SphereMesh(1, SphereCut::meridians, count), InputError);
@@ -171,6 +188,9 @@ TEST(FacetSphere, IsFoundAsByTestingEveryTriangle) {
       const glm::dvec3 a_m = corner();
       const glm::dvec3 b_m = corner();
       if (a_m != b_m) expect_as_by_all(sphere, {a_m - 5.0 * (b_m - a_m), b_m - a_m});
+      const glm::dvec3 way = direction(engine);
+      expect_as_by_all(sphere, {a_m - std::pow(10.0, real(engine, 0, 10)) * way, way});
+      expect_as_by_all(sphere, {corners[0] - way, way});
       const glm::dvec3 on_axis(0, 0, real(engine, -2, 2));
       expect_as_by_all(sphere, {on_axis - 9.0 * a_m, a_m});
       expect_as_by_all(sphere, {a_m, {0, 0, 1}});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "render/objects/solids/box_solid.h"
 #include "render/objects/solids/frustum.h"
@@ -49,6 +50,20 @@ TEST(PrimitiveSolids, AreCrossedWhereTheyAreWhereverTheyStand) {
       for (int k = 0; k < 10; ++k)
         expect_no_fault(body, line_through(engine, at_m, bodies[i].size_m, 1e6), engine,
                         "primitive " + std::to_string(i));
+    }
+  }
+}
+
+TEST(PrimitiveSolids, AreCrossedWhereTheyAreHoweverUnequallyStretched) {
+  std::mt19937_64 engine(5);
+  for (int round = 0; round < 300; ++round) {
+    const auto scale = [&] { return std::pow(10.0, real(engine, -3, 3)); };
+    const glm::dmat4 stretch = glm::scale(glm::dmat4(1), {scale(), scale(), scale()});
+    for (const Body& primitive : primitives(engine)) {
+      const Body body = transformed(primitive, turn(engine) * stretch * turn(engine));
+      for (int k = 0; k < 10; ++k)
+        expect_no_fault(body, line_through(engine, {0, 0, 0}, body.size_m, 1e6), engine,
+                        "round " + std::to_string(round));
     }
   }
 }
@@ -138,6 +153,17 @@ TEST(PrimitiveSolids, AreClosedAlongTheirFacesAndEdges) {
   ASSERT_EQ(base.size(), 2U);
   EXPECT_TRUE(std::isinf(base[0].t));
   EXPECT_TRUE(std::isinf(base[1].t));
+}
+
+// Along a slit of no width.
+TEST(PrimitiveSolids, APrismGoesOnWhereItsPolygonTouchesItself) {
+  const std::vector<Polygon::Ring> slit{
+      {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0.125}, {1, 1}, {0, 1}}};
+  const PrismSolid prism(Polygon(slit), 1);
+  const auto crossings = crossings_of(prism, {{-3, 0.25, 0.5}, {1, 0, 0}});
+  ASSERT_EQ(crossings.size(), 2U);
+  EXPECT_EQ(crossings[0].t, 3);
+  EXPECT_EQ(crossings[1].t, 5);
 }
 
 TEST(PrimitiveSolids, BoundsContainTheirCrossings) {
