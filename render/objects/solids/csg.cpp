@@ -40,7 +40,8 @@ bool may_meet(const Line& line, const Box& box) {
   return from <= to;
 }
 
-// Whether rounding alone may have parted two crossings: of the same surface, or at an edge.
+// Whether rounding alone may have parted two crossings: of surfaces that coincide, or at an edge
+// that they share.
 bool coincide(const Crossing& a, const Crossing& b) {
   if (a.t == b.t) return true;
   const double gap = std::abs(a.t - b.t);
@@ -85,6 +86,8 @@ CsgSolid::CsgSolid(CsgOperator op, SolidPtr left, SolidPtr right)
     : op_(op),
       left_(std::move(left)),
       right_(std::move(right)),
+      left_parts_(left_->parts()),
+      parts_(left_parts_ + right_->parts()),
       left_box_(left_->bounds()),
       right_box_(right_->bounds()) {
   if (op == CsgOperator::add) {
@@ -105,7 +108,7 @@ void CsgSolid::append_crossings(const Line& line, Crossings& crossings) const {
   if (may_meet(line, right_box_)) right_->append_crossings(line, crossings);
   const std::size_t last = crossings.size();
   if (middle == last && op_ != CsgOperator::intersect) return;
-  for (std::size_t i = middle; i < last; ++i) crossings[i].part += left_->parts();
+  for (std::size_t i = middle; i < last; ++i) crossings[i].part += left_parts_;
   append_merged(first, middle, last, crossings);
   const auto begin = crossings.begin();
   crossings.erase(begin + static_cast<std::ptrdiff_t>(first),

@@ -26,7 +26,7 @@ class CsgSolid final : public Solid {
   CsgSolid(CsgOperator op, SolidPtr left, SolidPtr right);
 
   [[nodiscard]] Box bounds() const override { return bounds_; }
-  [[nodiscard]] int parts() const override { return left_->parts() + right_->parts(); }
+  [[nodiscard]] int parts() const override { return parts_; }
   // Asks a side nothing where the line misses the box of what can matter of it, nor the right where
   // the left is empty and that decides.
   void append_crossings(const Line& line, Crossings& crossings) const override;
@@ -38,6 +38,8 @@ class CsgSolid final : public Solid {
   CsgOperator op_;
   SolidPtr left_;
   SolidPtr right_;
+  int left_parts_;
+  int parts_;
   Box left_box_;   // of what can matter of the left
   Box right_box_;  // and of the right
   Box bounds_;
