@@ -11,6 +11,7 @@
 #include "render/color_ramp.h"
 #include "render/contours.h"
 #include "render/ground_detail.h"
+#include "render/lamp.h"
 #include "render/natural_ground.h"
 #include "terrain/sky_view.h"
 #include "terrain/terrain.h"
@@ -66,6 +67,7 @@ struct Scene {
   // How much of the sky each layer's posts see, which dims the ambient light; none: all of it.
   std::shared_ptr<const std::vector<SkyView>> sky_views;
   Light light;
+  std::vector<Lamp> lamps = {};
   SkyGradient sky;
   std::shared_ptr<const SceneObjects> objects;    // none: the ground alone
   std::shared_ptr<const PaintedSky> painted_sky;  // none: the plain one above
