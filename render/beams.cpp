@@ -90,6 +90,7 @@ std::vector<Beam> sun_beams(const Scene& scene, std::span<const LitPlace> places
                             ShadowCounts& counts) {
   const VerticalFrame& frame = scene.terrain->frame();
   std::vector<Beam> beams;
+  if (scene.light.sun == glm::vec3(0)) return beams;
   std::vector<Hit> points;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const LitPlace& place = places[i];
