@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <numbers>
 
 #include "render/fresnel.h"
 #include "tests/render/hills.h"
+#include "tests/render/materials/counting.h"
 #include "tests/render/materials/studio.h"
 
 namespace terrview {
@@ -157,20 +157,6 @@ TEST(Glass, MirrorsAndLetsThroughByFresnelsLaw) {
   expect_color(seen, {t * t * (1 + r * r), r + t * t * r * (1 + r * r), 0});
   EXPECT_NEAR(r, 0.04, 1e-6);
 }
-
-// Counts how often it is asked.
-class Counting final : public Shade<double> {
- public:
-  explicit Counting(double value) : value_(value) {}
-  [[nodiscard]] double at(const ShadingPoint&) const override {
-    ++count;
-    return value_;
-  }
-  mutable std::atomic<int> count = 0;
-
- private:
-  double value_;
-};
 
 TEST(Material, ComputesNothingThatItDoesNotName) {
   Material dark;
