@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/objects/scene_objects.h"
 #include "render/painted_sky.h"
 #include "terrain/view_transform.h"
 
@@ -19,10 +18,6 @@ constexpr double kOffSurface = 1e-10;
 double lift_m(const glm::dvec3& position_m) {
   const glm::dvec3 size = glm::abs(position_m);
   return kOffSurface * (size.x + size.y + size.z + 1);
-}
-
-ShadowCasters casters(const Scene& scene) {
-  return {*scene.terrain, scene.objects ? scene.objects->set.get() : nullptr};
 }
 
 Hit point_at(const glm::dvec3& position_m) {
@@ -42,7 +37,7 @@ Ray ray_to(const Lamp& lamp, const Terrain& terrain, const glm::dvec3& place_m) 
 // Takes away the beams that ground or objects stop.
 void drop_hidden(const Scene& scene, const Lamp& lamp, std::span<const LitPlace> places,
                  std::vector<Beam>& beams, ShadowCounts& counts) {
-  const ShadowCasters stop = casters(scene);
+  const ShadowCasters stop = shadow_casters(scene);
   std::vector<Ray> rays;
   for (const Beam& beam : beams)
     rays.push_back(ray_to(lamp, stop.terrain, places[beam.place].position_m));
@@ -101,7 +96,7 @@ std::vector<Beam> sun_beams(const Scene& scene, std::span<const LitPlace> places
     points.push_back(point_at(place.position_m));
   }
   if (!scene.light.casts_shadows || beams.empty()) return beams;
-  const std::vector<float> shares = sun_shares(casters(scene), scene.light, points, counts);
+  const std::vector<float> shares = sun_shares(shadow_casters(scene), scene.light, points, counts);
   for (std::size_t i = 0; i < beams.size(); ++i) {
     beams[i].intensity = shares[i];
     if (shares[i] > 0 && scene.painted_sky)

@@ -24,7 +24,7 @@ struct Light {
   glm::dvec3 towards_sun{0, 0, 1};  // true east-north-up at the eye, unit length
   glm::vec3 sun{0.95F, 0.91F, 0.82F};
   glm::vec3 ambient{0.23F, 0.26F, 0.31F};
-  bool casts_shadows = true;
+  bool casts_shadows = true;  // the lamps, too
   double sun_radius_rad = 0;  // of the disc that softens the edges of shadows; 0 = a point
 };
 

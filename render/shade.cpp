@@ -139,8 +139,7 @@ void cast_shadows(const Scene& scene, const RayHits& hits, std::span<float> faci
     indices.push_back(i);
     points.push_back(lit_point(hits, i));
   }
-  const ShadowCasters casters{*scene.terrain, scene.objects ? scene.objects->set.get() : nullptr};
-  const std::vector<float> shares = sun_shares(casters, scene.light, points, counts);
+  const std::vector<float> shares = sun_shares(shadow_casters(scene), scene.light, points, counts);
   for (std::size_t i = 0; i < indices.size(); ++i) facings[indices[i]] *= shares[i];
   if (!scene.painted_sky) return;
   for (std::size_t i = 0; i < indices.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "render/materials/material.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace terrview {
@@ -32,6 +33,19 @@ Material glass(double refractive_index) {
   material.mirror = gray(mirrored);
   material.transparency = gray(mix(constant(1.0), constant(0.0), mirrored));
   return material;
+}
+
+Objects opaque_objects(const SceneObjects& objects) {
+  const auto is_transparent = [](const auto& material) {
+    return material && material->transparency;
+  };
+  Objects opaque;
+  for (std::size_t i = 0; i < objects.looks.size(); ++i) {
+    const auto& materials = objects.looks[i].materials;
+    if (std::none_of(materials.begin(), materials.end(), is_transparent))
+      opaque.push_back(objects.set->objects()[i]);
+  }
+  return opaque;
 }
 
 }  // namespace terrview

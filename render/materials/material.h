@@ -9,6 +9,7 @@
 #pragma once
 
 #include "render/materials/shade_tree.h"
+#include "render/objects/scene_objects.h"
 
 namespace terrview {
 
@@ -53,5 +54,8 @@ struct PhongShares {
 
 // Clear, and mirrors by Fresnel's law.
 [[nodiscard]] Material glass(double refractive_index);
+
+// The objects without a material that light goes through: for SceneObjects::casters.
+[[nodiscard]] Objects opaque_objects(const SceneObjects& objects);
 
 }  // namespace terrview

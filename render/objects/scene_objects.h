@@ -33,6 +33,8 @@ struct ObjectLook {
 struct SceneObjects {
   std::shared_ptr<const ObjectSet> set;
   std::vector<ObjectLook> looks;  // one for each object of the set
+  // Those that cast shadows; none: all of the set.
+  std::shared_ptr<const ObjectSet> casters = {};
   // Walls stand on every edge of the ground: no ray comes below it without meeting one.
   bool walls_in_ground = false;
 };

@@ -2,6 +2,8 @@
 #include "render/materials/light_model.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
 #include <numbers>
 
@@ -146,6 +148,37 @@ TEST(Guitteny, HasTheSameAmbientLightOnAllSides) {
   }
 }
 
+// Unit directions that point down, and up.
+rc::Gen<glm::dvec3> slanted(double z_sign) {
+  const auto share = rc::gen::inRange(-1000, 1001);
+  return rc::gen::map(
+      rc::gen::tuple(share, share, rc::gen::inRange(1, 1001)),
+      [z_sign](const std::tuple<int, int, int>& v) {
+        return glm::normalize(glm::dvec3(std::get<0>(v), std::get<1>(v), z_sign * std::get<2>(v)));
+      });
+}
+
+RC_GTEST_PROP(Reflection, KeepsTheTangentAndTurnsTheNormalComponent, ()) {
+  const glm::dvec3 direction = *slanted(-1);
+  const glm::dvec3 mirrored = reflected(direction, {0, 0, 1});
+  RC_ASSERT(mirrored == glm::dvec3(direction.x, direction.y, -direction.z));
+}
+
+RC_GTEST_PROP(Snell, HoldsAndIsUndoneOnTheWayBack, ()) {
+  const glm::dvec3 direction = *slanted(-1);
+  const double index = *rc::gen::inRange(20, 300) / 100.0;
+  const glm::dvec3 up(0, 0, 1);
+  const double sine = glm::length(glm::dvec2(direction)) / index;
+  const auto beyond = refracted(direction, up, index);
+  RC_ASSERT(beyond.has_value() == (sine <= 1) || std::abs(sine - 1) < 1e-12);
+  if (!beyond || sine > 1 - 1e-9) return;
+  RC_ASSERT(std::abs(glm::length(*beyond) - 1) < 1e-12);
+  RC_ASSERT(std::abs(glm::length(glm::dvec2(*beyond)) - sine) < 1e-9);
+  const auto back = refracted(-*beyond, -up, 1 / index);
+  RC_ASSERT(back.has_value());
+  RC_ASSERT(glm::distance(*back, -direction) < 1e-6);
+}
+
 TEST(Lamp, IsHiddenByObjectsAndGroundBeforeItAndByNothingBehind) {
   const auto ball = std::make_shared<Sphere>(glm::dvec3(0, 0, 5), 2);
   const auto far_ball = std::make_shared<Sphere>(glm::dvec3(0, 0, 30), 2);
@@ -173,6 +206,26 @@ TEST(Lamp, LightsGroundAndObjectsWithoutMaterial) {
                static_cast<float>(wall) * glm::vec3(0.6F));
   // Behind the block.
   expect_color(color_along(scene, ray_towards({0, 90, 0}, {0, 90, kGround_m})), glm::vec3(0));
+}
+
+TEST(Lamp, ShinesThroughWhatIsLeftOutOfTheCasters) {
+  const auto ball = std::make_shared<Sphere>(glm::dvec3(0, 0, 5), 2);
+  const auto other_ball = std::make_shared<Sphere>(glm::dvec3(5, 0, 5), 1);
+  Scene scene = studio({{floor_block(), {shared(matte())}},
+                        {ball, {shared(matte()), shared(glass(1.5))}},
+                        {other_ball, {shared(matte())}}});
+  scene.lamps = {{.position_m = {0, 0, 10}, .intensity = 80}};
+  scene.light.sun = glm::vec3(1);
+  const Ray below = ray_towards({0, 60, 3}, {0, 0, 0});
+  const Ray below_other = ray_towards({10, 60, 3}, {10, 0, 0});
+  expect_color(color_along(scene, below), glm::vec3(0));
+  SceneObjects objects = *scene.objects;
+  objects.casters = std::make_shared<ObjectList>(opaque_objects(objects));
+  EXPECT_EQ(objects.casters->objects().size(), 2);
+  scene.objects = std::make_shared<const SceneObjects>(objects);
+  expect_color(color_along(scene, below), (0.5F * 0.8F + 0.5F) * kBody);
+  // The other ball hides the lamp, but not the sun overhead.
+  expect_color(color_along(scene, below_other), 0.5F * kBody);
 }
 
 TEST(Bump, OfAConstantChangesNoBit) {

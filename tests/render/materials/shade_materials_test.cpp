@@ -216,6 +216,28 @@ Scene gallery() {
   return scene;
 }
 
+TEST(Materials, ThatAreNotSeenChangeNoBitAndNoRay) {
+  const Scene plain = [] {
+    Scene scene = gallery();
+    scene.lamps.clear();
+    auto objects = std::make_shared<SceneObjects>(*scene.objects);
+    for (ObjectLook& look : objects->looks) look.materials.clear();
+    scene.objects = objects;
+    return scene;
+  }();
+  Scene behind = plain;
+  auto objects = std::make_shared<SceneObjects>(*plain.objects);
+  Objects all = objects->set->objects();
+  all.push_back(std::make_shared<Sphere>(glm::dvec3(0, -1e5, 0), 60));
+  objects->looks.push_back({99, {}, {}, {shared(glass(1.5))}});
+  objects->set = std::make_shared<ObjectList>(std::move(all));
+  behind.objects = objects;
+  const Frame without = render(plain, level_camera({64, 40}));
+  const Frame with = render(behind, level_camera({64, 40}));
+  EXPECT_EQ(with.image.pixels(), without.image.pixels());
+  EXPECT_EQ(with.counts.shadow_rays, without.counts.shadow_rays);
+}
+
 TEST(Materials, MakeTheSamePictureForAnyNumberOfThreadsAndAnyOrderOfRays) {
   const Scene scene = gallery();
   for (const Camera& camera : {level_camera({64, 40}), tilted_camera({64, 40})}) {
