@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/objects/level_plane.h"
 #include "render/painted_sky.h"
 #include "terrain/view_transform.h"
 
@@ -52,14 +53,16 @@ void drop_hidden(const Scene& scene, const Lamp& lamp, std::span<const LitPlace>
 }
 
 // The beams of a lamp with nothing between.
-std::vector<Beam> free_beams(const Lamp& lamp, std::span<const LitPlace> places) {
+std::vector<Beam> free_beams(const VerticalFrame& frame, const Lamp& lamp,
+                             std::span<const LitPlace> places) {
   std::vector<Beam> beams;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const glm::dvec3 to_lamp_m = lamp.position_m - places[i].position_m;
-    if (!(glm::dot(places[i].normal, to_lamp_m) > 0)) continue;
-    const double intensity = intensity_at(lamp, places[i].position_m);
+    const glm::dvec3& place_m = places[i].position_m;
+    const glm::dvec3 towards = level_plane_at(frame, place_m).direction(lamp.position_m - place_m);
+    if (!(glm::dot(places[i].normal, towards) > 0)) continue;
+    const double intensity = intensity_at(lamp, place_m);
     if (intensity > 0)
-      beams.push_back({i, glm::normalize(to_lamp_m), lamp.color, static_cast<float>(intensity)});
+      beams.push_back({i, glm::normalize(towards), lamp.color, static_cast<float>(intensity)});
   }
   return beams;
 }
@@ -89,9 +92,8 @@ std::vector<Beam> sun_beams(const Scene& scene, std::span<const LitPlace> places
   std::vector<Hit> points;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const LitPlace& place = places[i];
-    const glm::dvec3 towards = direction_at(frame, place.position_m, scene.light.towards_sun);
-    const bool is_up = local_direction(frame, place.position_m, scene.light.towards_sun).z > 0;
-    if (!is_up || !(glm::dot(place.normal, towards) > 0)) continue;
+    const glm::dvec3 towards = local_direction(frame, place.position_m, scene.light.towards_sun);
+    if (!(towards.z > 0 && glm::dot(place.normal, towards) > 0)) continue;
     beams.push_back({i, towards, scene.light.sun, 1});
     points.push_back(point_at(place.position_m));
   }
@@ -110,7 +112,7 @@ std::vector<Beam> lamp_beams(const Scene& scene, std::span<const LitPlace> place
                              ShadowCounts& counts) {
   std::vector<Beam> all;
   for (const Lamp& lamp : scene.lamps) {
-    std::vector<Beam> beams = free_beams(lamp, places);
+    std::vector<Beam> beams = free_beams(scene.terrain->frame(), lamp, places);
     if (scene.light.casts_shadows) drop_hidden(scene, lamp, places, beams, counts);
     all.insert(all.end(), beams.begin(), beams.end());
   }

@@ -12,10 +12,10 @@
 
 namespace terrview {
 
-// A place on a surface, just off it, and its unit normal there, in the view frame.
+// A place on a surface, just off it.
 struct LitPlace {
-  glm::dvec3 position_m;
-  glm::dvec3 normal;
+  glm::dvec3 position_m;  // view frame
+  glm::dvec3 normal;      // unit length, as Terrain's are
 };
 
 // A point of a surface lifted off it to the side of `side`, by more than hits are wrong.
@@ -23,7 +23,7 @@ struct LitPlace {
 
 struct Beam {
   std::size_t place;
-  glm::dvec3 towards;  // its source, unit length
+  glm::dvec3 towards;  // its source, unit length, in the normal's frame
   glm::vec3 color;     // of the source
   float intensity;     // above 0
 };

@@ -78,20 +78,10 @@ std::vector<float> face_sun(const Scene& scene, const RayWidths& widths, std::sp
   return facings;
 }
 
-LevelPlane level_at(const VerticalFrame& frame, const glm::dvec3& position_m) {
-  const glm::dvec2 ground_m(position_m);
-  return level_plane(frame, ground_m, frame.at(ground_m).scene_height_m(position_m.z));
-}
-
-// A surface's normal as those of Terrain are, and back.
+// A surface's normal as those of Terrain are.
 glm::dvec3 plumb_normal(const VerticalFrame& frame, const SurfaceHit& surface) {
   if (frame.is_flat()) return surface.normal;
-  return glm::normalize(level_at(frame, surface.position_m).plumb_normal(surface.normal));
-}
-glm::dvec3 view_normal(const VerticalFrame& frame, const glm::dvec3& position_m,
-                       const glm::dvec3& normal) {
-  if (frame.is_flat()) return normal;
-  return glm::normalize(level_at(frame, position_m).view_normal(normal));
+  return glm::normalize(level_plane_at(frame, surface.position_m).plumb_normal(surface.normal));
 }
 
 // The same for the objects that are met, but of those made of a material, whose indices it returns,
@@ -161,12 +151,8 @@ std::vector<glm::vec3> light_of_lamps(const Scene& scene, const RayHits& hits,
   std::vector<LitPlace> places;
   for (std::size_t i = 0; i < shaded.size(); ++i) {
     if (shaded[i].clear == glm::vec3(0)) continue;
-    const glm::dvec3 position_m = lit_point(hits, i).position_m;
     indices.push_back(i);
-    places.push_back(
-        {position_m, hits.meets_object(i)
-                         ? hits.objects[i]->surface.normal
-                         : view_normal(scene.terrain->frame(), position_m, shaded[i].normal)});
+    places.push_back({lit_point(hits, i).position_m, shaded[i].normal});
   }
   const std::vector<glm::vec3> light = lamplight(scene, places, counts);
   std::vector<glm::vec3> by_ray(shaded.size(), glm::vec3(0));

@@ -9,6 +9,7 @@
 #include "render/ambient_light.h"
 #include "render/beams.h"
 #include "render/materials/light_model.h"
+#include "render/objects/level_plane.h"
 #include "render/objects/scene_objects.h"
 #include "render/water.h"
 
@@ -19,7 +20,9 @@ struct Surface {
   std::size_t ray;
   const Material* material;
   ShadingPoint point;
-  glm::dvec3 side;  // the normal without bumps
+  glm::dvec3 side;       // point.normal without bumps
+  glm::dvec3 view_side;  // the same in the view frame
+  LevelPlane level;      // between the two frames
 };
 
 // A normal that faces the eye, or is seen edge-on where it would not.
@@ -32,18 +35,22 @@ Surface surface_of(const Scene& scene, const RayWidths& widths, const Ray& ray,
                    const ObjectHit& hit, std::size_t i) {
   const SurfaceHit& met = hit.surface;
   const ObjectLook& look = scene.objects->looks[static_cast<std::size_t>(hit.object)];
-  Surface surface{i, material_of(look, met.part), {}, met.normal};
+  Surface surface{};
+  surface.ray = i;
+  surface.material = material_of(look, met.part);
+  surface.level = level_plane_at(scene.terrain->frame(), met.position_m);
   ShadingPoint& point = surface.point;
   point.position_m = met.position_m;
-  point.towards_eye = -glm::normalize(ray.direction);
+  point.towards_eye = -glm::normalize(surface.level.direction(ray.direction));
   point.width_m = widths.at(i, met.distance_m);
-  point.inside = glm::dot(met.normal, point.towards_eye) < 0;
-  if (point.inside) surface.side = -met.normal;
-  point.normal = surface.side;
-  if (!surface.material->bump_m) return surface;
-  const glm::dvec3 bumped = bumped_normal(surface.material->bump_m, point, met.normal);
-  if (bumped != met.normal)
-    point.normal = seen_normal(point.inside ? -bumped : bumped, point.towards_eye);
+  point.inside = glm::dot(met.normal, ray.direction) > 0;
+  const glm::dvec3 outward = glm::normalize(surface.level.plumb_normal(met.normal));
+  const glm::dvec3 bumped =
+      surface.material->bump_m ? bumped_normal(surface.material->bump_m, point, outward) : outward;
+  const double side = point.inside ? -1 : 1;
+  surface.side = side * outward;
+  surface.view_side = side * met.normal;
+  point.normal = bumped == outward ? surface.side : seen_normal(side * bumped, point.towards_eye);
   return surface;
 }
 
@@ -56,7 +63,7 @@ std::vector<SourceLight> source_light(const Scene& scene, std::span<const Surfac
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& surface = surfaces[i];
     if (!surface.material->diffuse && !surface.material->specular) continue;
-    places.push_back({off_surface(surface.point.position_m, surface.side), surface.side});
+    places.push_back({off_surface(surface.point.position_m, surface.view_side), surface.side});
     surface_of_place.push_back(i);
   }
   const auto add = [&](std::span<const Beam> beams) {
@@ -130,9 +137,10 @@ class Bounce {
   void send(std::size_t surface, const glm::vec3& share, const glm::dvec3& direction,
             bool is_mirrored) {
     if (share == glm::vec3(0)) return;
-    const glm::dvec3& side = surfaces_[surface].side;
-    const glm::dvec3 off = glm::dot(direction, side) < 0 ? -side : side;
-    rays_.push_back({off_surface(surfaces_[surface].point.position_m, off), direction});
+    const Surface& from = surfaces_[surface];
+    const glm::dvec3 off = glm::dot(direction, from.side) < 0 ? -from.view_side : from.view_side;
+    rays_.push_back(
+        {off_surface(from.point.position_m, off), from.level.view_direction(direction)});
     sent_.push_back({surface, share, is_mirrored});
   }
 

@@ -53,17 +53,14 @@ TEST(Lambert, UnderALampWithoutAReferenceIsTheCosineAlone) {
 }
 
 TEST(Lambert, InTheSunIsAsAnObjectWithoutMaterial) {
-  Scene scene = studio({{floor_block(), {shared(lambert(constant(kBody)))}}, {floor_block(), {}}});
-  scene.light.sun = {0.9F, 0.7F, 0.4F};
-  scene.light.ambient = {0.1F, 0.2F, 0.3F};
-  scene.light.towards_sun = glm::normalize(glm::dvec3(1, 2, 3));
-  const glm::vec3 with = color_along(scene, down_on(20));
-  scene = studio({{floor_block(), {}}});
-  scene.light.sun = {0.9F, 0.7F, 0.4F};
-  scene.light.ambient = {0.1F, 0.2F, 0.3F};
-  scene.light.towards_sun = glm::normalize(glm::dvec3(1, 2, 3));
-  const glm::vec3 without = color_along(scene, down_on(20));
-  expect_color(with, without * kBody / ObjectLook{}.color);
+  Scene with = studio({{floor_block(), {shared(lambert(constant(ObjectLook{}.color)))}}});
+  Scene without = studio({{floor_block(), {}}});
+  for (Scene* scene : {&with, &without}) {
+    scene->light.sun = {0.9F, 0.7F, 0.4F};
+    scene->light.ambient = {0.1F, 0.2F, 0.3F};
+    scene->light.towards_sun = glm::normalize(glm::dvec3(1, 2, 3));
+  }
+  expect_color(color_along(with, down_on(20)), color_along(without, down_on(20)));
 }
 
 TEST(Spot, FallsWithTheCosineToItsAxisAndEndsAtItsCone) {
@@ -226,6 +223,52 @@ TEST(Lamp, ShinesThroughWhatIsLeftOutOfTheCasters) {
   expect_color(color_along(scene, below), (0.5F * 0.8F + 0.5F) * kBody);
   // The other ball hides the lamp, but not the sun overhead.
   expect_color(color_along(scene, below_other), 0.5F * kBody);
+}
+
+// The studio on a round Earth, under an eye 1500 m high, its ground at height 0.
+Scene round_studio(const std::vector<Thing>& things) {
+  Scene scene = studio(things);
+  const VerticalFrame earth{.eye_height_m = 1500,
+                            .north_curvature_per_m = 1 / 6371000.0,
+                            .east_curvature_per_m = 1 / 6371000.0,
+                            .refraction = 0.13};
+  const TerrainLayer layer = make_layer(make_grid(3, 260, [](int, int) { return 0.0; }),
+                                        {.eye_uv = {1, 250}, .spacing_m = {300, 300}});
+  scene.terrain = std::make_shared<Terrain>(std::vector{layer}, earth, SurfaceModel::triangles);
+  scene.tints = {.stops = {{0, kBody}}};
+  scene.light.ambient = glm::vec3(0);
+  return scene;
+}
+
+constexpr double kAway_m = 60000;  // where level ground slopes by half a degree in the view frame
+
+TEST(Lamp, StandsUprightOnARoundEarth) {
+  Scene scene = round_studio({});
+  const VerticalFrame& frame = scene.terrain->frame();
+  const Ray ray{{0, 0, 0}, {0, kAway_m, frame.at({0, kAway_m}).z_m(0)}};
+  const glm::dvec2 seen_m(scene.terrain->first_hit(ray).value().position_m);
+  ASSERT_NEAR(seen_m.y, kAway_m, 1);
+  for (const double aside_m : {-20.0, 20.0}) {
+    const glm::dvec2 foot_m = seen_m + glm::dvec2(0, aside_m);
+    scene.lamps = {{.position_m = {foot_m, frame.at(foot_m).z_m(20)}, .reference_m = 0}};
+    expect_color(color_along(scene, ray), static_cast<float>(std::sqrt(0.5)) * kBody, 2e-4);
+  }
+}
+
+TEST(Lambert, InTheSunIsAsAnObjectWithoutMaterialOnARoundEarth) {
+  const auto ball = std::make_shared<Sphere>(glm::dvec3(0, kAway_m, -300), 100);
+  Scene with = round_studio({{ball, {shared(lambert(constant(ObjectLook{}.color)))}}});
+  Scene without = round_studio({{ball, {}}});
+  for (Scene* scene : {&with, &without}) {
+    scene->light.sun = glm::vec3(1);
+    scene->light.towards_sun = glm::normalize(glm::dvec3(0.2, -1, 0.3));
+  }
+  for (const double x_m : {-60.0, 0.0, 60.0}) {
+    const Ray ray = ray_towards({0, 0, 0}, {x_m, kAway_m - 50, -300});
+    const glm::vec3 seen = color_along(with, ray);
+    EXPECT_GT(seen.x, 0.3F);
+    expect_color(seen, color_along(without, ray));
+  }
 }
 
 TEST(Bump, OfAConstantChangesNoBit) {
