@@ -1,5 +1,6 @@
 #include "render/materials/shade_tree.h"
 
+#include <type_traits>
 #include <utility>
 
 #include <glm/common.hpp>
