@@ -65,20 +65,25 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const Shadow
     TraceCounts counts;
     const auto width = static_cast<std::size_t>(rays.size_px.x);
     const std::size_t first = static_cast<std::size_t>(row) * width;
-    std::vector<Ray> sunward;
-    std::vector<std::size_t> pixels;
-    sunward.reserve(width);
-    pixels.reserve(width);
+    std::vector<Ray> sunward(width);
+    std::vector<std::size_t> pixels(width);
+    std::size_t count = 0;
     for (std::size_t i = first; i < first + width; ++i) {
       frame[i] = 0;
       if (std::isnan(rays.x_m[i])) continue;
-      const glm::dvec3 from_m(rays.x_m[i], rays.y_m[i], rays.z_m[i]);
-      sunward.push_back({.origin_m = from_m - view.eye_m, .direction = view.to_sun});
-      pixels.push_back(i);
+      Ray& ray = sunward[count];
+      ray.origin_m.x = rays.x_m[i] - view.eye_m.x;
+      ray.origin_m.y = rays.y_m[i] - view.eye_m.y;
+      ray.origin_m.z = rays.z_m[i] - view.eye_m.z;
+      ray.direction.x = view.to_sun.x;
+      ray.direction.y = view.to_sun.y;
+      ray.direction.z = view.to_sun.z;
+      pixels[count++] = i;
     }
-    std::vector<std::uint8_t> stopped(sunward.size());
+    sunward.resize(count);
+    std::vector<std::uint8_t> stopped(count);
     occluded(terrain, sunward, stopped, counts);
-    for (std::size_t i = 0; i < pixels.size(); ++i) frame[pixels[i]] = stopped[i];
+    for (std::size_t i = 0; i < count; ++i) frame[pixels[i]] = stopped[i];
     tests += counts.tests;
     nodes += counts.nodes;
   });

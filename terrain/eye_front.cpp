@@ -91,7 +91,8 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
       // Rays that rise may look over a near ridge and come far.
       highest_slope_(options.highest_slope < 0 ? static_cast<float>(options.highest_slope)
                                                : std::numeric_limits<float>::infinity()),
-      first_bin_(bin_of(options.lowest_slope)),
+      // That of the lowest slope itself does not stand for those below.
+      first_bin_(std::max(bin_of(options.lowest_slope) - 1, 0)),
       last_bin_(bin_of(options.highest_slope)) {
   lay_rings(2.0 / wedges_a_side_);
   index_rings();

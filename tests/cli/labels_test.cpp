@@ -101,9 +101,9 @@ struct Panorama {
 class SharedPanoramas : public Labels, public testing::WithParamInterface<Panorama> {
  protected:
   void SetUp() override {
+    NEEDS_SHARED_DATA();
     for (const std::string& dem : words(GetParam().dems)) args_.push_back(shared_data(dem));
     peaks_ = shared_data(GetParam().peaks);
-    if (peaks_.empty()) GTEST_SKIP() << "no shared test data";
     const Finished finished = run(
         args_ + words(GetParam().line) +
         Arguments{"-q", "--samples", "1", "--no-shadows", "--no-sky", "--projection", "cylindrical",

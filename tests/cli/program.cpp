@@ -15,8 +15,6 @@
 namespace terrview {
 namespace {
 
-constexpr unsigned kPatience_s = 120;  // then it hangs, and is killed
-
 void redirect(int stream, const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (file < 0 || ::dup2(file, stream) < 0) ::_exit(126);
@@ -68,7 +66,7 @@ void Program::become(const std::vector<std::string>& args, const std::string& fo
   // Whoever runs the tests may have these ignored.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   if (options.ignored_signal) std::signal(*options.ignored_signal, SIG_IGN);
-  ::alarm(kPatience_s);
+  ::alarm(options.patience_s);
   std::vector<char*> words{const_cast<char*>(TERRVIEW_PROGRAM)};
   for (const std::string& arg : args) words.push_back(const_cast<char*>(arg.c_str()));
   words.push_back(nullptr);

@@ -22,6 +22,7 @@ struct Finished {
 struct RunOptions {
   std::optional<int> ignored_signal = {};
   bool unread_messages = false;  // standard error is a pipe that nobody reads
+  unsigned patience_s = 120;     // then it hangs, and is killed
 };
 
 class Program {

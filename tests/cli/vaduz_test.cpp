@@ -104,8 +104,8 @@ double lowest_ground_m(const Footprint& footprint, const ViewFrame& frame) {
 }
 
 TEST(Vaduz, TenBuildingsAreRightInEveryPixelAndInTheCsv) {
+  NEEDS_SHARED_DATA();
   const std::string buildings = shared_data("liechtenstein/li_buildings_vaduz_all.geojson");
-  if (buildings.empty()) GTEST_SKIP() << "the footprints of Vaduz are not in the shared test data";
   const ViewOptions options = from_the_castle(buildings);
   const std::vector<Dem> dems = read_dems(options.dems);
   const View view = make_view(options, dems);

@@ -117,8 +117,8 @@ TEST_F(DemInfoTest, AFlatDemIsDescribedInItsOwnUnits) {
 }
 
 TEST_F(DemInfoTest, TheSummitsOfTheVosgesAreFound) {
+  NEEDS_SHARED_DATA();
   const std::string path = shared_data("vosges/vosges_hohneck_grandballon_256.tif");
-  if (path.empty()) GTEST_SKIP() << "no shared test data";
   const DemInfo info = describe_dem(read_one(path));
   ASSERT_EQ(info.summits.size(), kListedSummits);
   // Grand Ballon, 1424 m.

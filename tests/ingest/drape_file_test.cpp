@@ -265,8 +265,8 @@ double explained(const Drape& drape, const std::vector<Dem>& dems, glm::dvec2 uv
 }
 
 TEST_F(DrapeFile, AMountainsPictureLiesOnItsValleysAndNotTwoPixelsBeside) {
+  NEEDS_SHARED_DATA();
   const std::string dem = shared_data("rmnp/rmnp-dem.tif");
-  if (dem.empty()) GTEST_SKIP() << "rmnp-dem.tif is not in the shared test data";
   const std::vector<Dem> dems = read_dems({dem});
   const auto drape = read_drape(shared_data("rmnp/rmnp-rgb.tif"), dems);
   const glm::dvec2 pixel_uv(0.0015 / 0.00275, 0.0015 / 0.00211);

@@ -121,13 +121,21 @@ testing::AssertionResult says(const std::string& text, const std::vector<std::st
   return testing::AssertionSuccess();
 }
 
-std::string shared_data(const std::string& name) {
+namespace {
+
+std::string shared_folder() {
   const char* named = std::getenv("TERRVIEW_TEST_DATA");
-  const std::string folder = named != nullptr ? named : TERRVIEW_SOURCE_DIR "/../shared/data";
-  if (!std::filesystem::is_directory(folder)) return "";
-  const std::string path = folder + "/" + name;
-  if (!std::filesystem::exists(path)) throw std::runtime_error("no " + name + " in " + folder);
+  return named != nullptr ? named : TERRVIEW_SOURCE_DIR "/../shared/data";
+}
+
+}  // namespace
+
+std::string shared_data(const std::string& name) {
+  const std::string path = shared_folder() + "/" + name;
+  if (!std::filesystem::exists(path)) throw std::runtime_error("no " + path);
   return path;
 }
+
+bool has_shared_data() { return std::filesystem::is_directory(shared_folder()); }
 
 }  // namespace terrview

@@ -62,7 +62,13 @@ void write_text(const std::string& path, const std::string& text);
 [[nodiscard]] testing::AssertionResult says(const std::string& text,
                                             const std::vector<std::string>& parts);
 
-// A file of the shared test data; empty if that is not here.
+// A file of the shared test data: the folder named by TERRVIEW_TEST_DATA, or that beside the
+// source. Throws where the file is missing.
 [[nodiscard]] std::string shared_data(const std::string& name);
+[[nodiscard]] bool has_shared_data();
 
 }  // namespace terrview
+
+// The one reason to skip a test: the whole folder of the shared data is not here.
+#define NEEDS_SHARED_DATA() \
+  if (!terrview::has_shared_data()) GTEST_SKIP() << "the shared test data is not here"

@@ -184,8 +184,8 @@ class TrickyFile : public testing::TestWithParam<Expectation> {};
 
 TEST_P(TrickyFile, GivesWhatTheTableSays) {
   const Expectation& expected = GetParam();
+  NEEDS_SHARED_DATA();
   const std::string path = shared_data("tricky/" + expected.file);
-  if (path.empty()) GTEST_SKIP() << "no shared test data";
   SCOPED_TRACE(expected.why);
   std::vector<Dem> dems;
   std::string refused;
@@ -220,8 +220,8 @@ INSTANTIATE_TEST_SUITE_P(Variants, TrickyFile, testing::ValuesIn(expectations_of
 INSTANTIATE_TEST_SUITE_P(Drivers, TrickyFile, testing::ValuesIn(expectations_of_drivers()));
 
 TEST(TrickyFiles, EachIsInTheTable) {
+  NEEDS_SHARED_DATA();
   const std::string folder = shared_data("tricky");
-  if (folder.empty()) GTEST_SKIP() << "no shared test data";
   std::set<std::string> listed;
   for (const Expectation& expected : expectations_of_variants()) listed.insert(expected.file);
   for (const Expectation& expected : expectations_of_drivers()) listed.insert(expected.file);
@@ -246,8 +246,8 @@ class VariantOfBase : public testing::TestWithParam<Variant> {};
 
 TEST_P(VariantOfBase, HasItsHeightsInItsPlaces) {
   const Variant& variant = GetParam();
+  NEEDS_SHARED_DATA();
   const std::string folder = shared_data("tricky/made_from_vosges");
-  if (folder.empty()) GTEST_SKIP() << "no shared test data";
   const Dem base = read_one(folder + "/base.tif");
   const Dem dem = read_one(folder + "/" + variant.file, variant.options);
   ASSERT_EQ(dem.grid->heights_m.size(), base.grid->heights_m.size());

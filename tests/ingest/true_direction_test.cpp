@@ -255,14 +255,14 @@ void expect_true_summits(const std::string& dem_path, const std::string& summits
 }
 
 TEST(Summits, OfTheVosges) {
+  NEEDS_SHARED_DATA();
   const std::string dem = shared_data("vosges/vosges_hohneck_grandballon_256.tif");
-  if (dem.empty()) GTEST_SKIP() << "the shared test data is not here";
   expect_true_summits(dem, shared_data("vosges/vosges_summits.csv"), 12);
 }
 
 TEST(Summits, OfLiechtenstein) {
+  NEEDS_SHARED_DATA();
   const std::string dem = shared_data("liechtenstein/li_srtm3_filled.tif");
-  if (dem.empty()) GTEST_SKIP() << "the shared test data is not here";
   expect_true_summits(dem, shared_data("liechtenstein/li_peaks.csv"), 48);
 }
 

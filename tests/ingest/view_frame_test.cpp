@@ -223,8 +223,8 @@ TEST(ViewFrame, MeasuresItsErrors) {
 }
 
 TEST(ViewFrame, SeesAcrossTheAntimeridian) {
+  NEEDS_SHARED_DATA();
   const std::string path = shared_data("tricky/made_from_vosges/antimeridian.tif");
-  if (path.empty()) GTEST_SKIP() << "the shared test data is not here";
   const Dem dem = read_one(path);
   // From the eastern end, which is at -179.97 degrees, to the western one.
   const ViewFrame frame({dem},
@@ -243,8 +243,8 @@ TEST(ViewFrame, SeesAcrossTheAntimeridian) {
 }
 
 TEST(ViewFrame, SeesADemBesideThePole) {
+  NEEDS_SHARED_DATA();
   const std::string path = shared_data("tricky/made_from_vosges/near_pole.tif");
-  if (path.empty()) GTEST_SKIP() << "the shared test data is not here";
   const Dem dem = read_one(path);
   // From the pole itself, down the DEM's meridians.
   const ViewFrame frame({dem}, {.geographic = GeoPoint{90, 0}, .projected = {}, .height_m = 2000},

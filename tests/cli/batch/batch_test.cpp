@@ -59,16 +59,15 @@ class Batch : public SmallView {
   }
 
   // Kills runs of a batch at random moments, then lets it end.
-  void survive_kills(int kills, unsigned longest_ms, const std::string& size) const {
+  void survive_kills(const Arguments& args, int kills, unsigned longest_ms) const {
     std::mt19937 random(7);
-    const Arguments args = line("--resume --size " + size + " --threads 2", "killed");
     for (int i = 0; i < kills; ++i) {
       Program program(args, folder_.path().string());
       std::this_thread::sleep_for(std::chrono::milliseconds(100 + random() % longest_ms));
       program.send(SIGKILL);
       static_cast<void>(program.wait());
     }
-    const Finished finished = run(args, RunOptions{});
+    const Finished finished = run(args, RunOptions{.patience_s = 1200});
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
   }
 };
@@ -207,7 +206,7 @@ TEST_F(Batch, OnAFullDiskLosesWhatDoesNotFitAndSaysSo) {
 TEST_F(Batch, KilledAtAnyMomentAndResumedIsAsIfUndisturbed) {
   write_table(40);
   EXPECT_EQ(run(line("--size 64x48", "calm")).exit_code, 0);
-  survive_kills(4, 500, "64x48");
+  survive_kills(line("--resume --size 64x48 --threads 2", "killed"), 4, 500);
   std::set<std::string> others;
   EXPECT_TRUE(pictures("killed", &others) == pictures("calm"));
   EXPECT_EQ(others, std::set<std::string>{"jobs.jsonl"});
@@ -287,12 +286,28 @@ TEST_F(Batch, OfAPathMakesFramesAndSaysHowToFilm) {
   EXPECT_EQ(records("o/fly.jsonl").size(), 3U);
 }
 
-class BatchLong : public Batch {};
+class BatchLong : public Batch {
+ protected:
+  // `--resume` over views of the Vosges, in a folder.
+  [[nodiscard]] static Arguments vosges(const std::string& out) {
+    return words("batch jobs.csv --size 640x360 -q --resume -o " + out + "/{name}.png --dem " +
+                 shared_data("vosges/N47E007.hgt") + " " + shared_data("vosges/N48E007.hgt"));
+  }
+};
 
-TEST_F(BatchLong, OfAThousandViewsSurvivesTenKills) {
-  write_table(1000);
-  EXPECT_EQ(run(line("--size 160x90", "calm")).exit_code, 0);
-  survive_kills(10, 2500, "160x90");
+TEST_F(BatchLong, OfAThousandViewsOfTheVosgesSurvivesTenKills) {
+  NEEDS_SHARED_DATA();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  std::string text = "name,eye,heading\n";
+  for (int i = 1; i <= 1000; ++i) {
+    text += "v" + std::to_string(i) + ",\"" + std::to_string(47.6 + 0.4 * share(random)) + ",";
+    text += std::to_string(7 + 0.3 * share(random)) + ",+" + std::to_string(20 + i / 4) + "\",";
+    text += std::to_string(i * 37 % 360) + "\n";
+  }
+  write_text(path("jobs.csv"), text);
+  ASSERT_EQ(run(vosges("calm")).exit_code, 0);
+  survive_kills(vosges("killed"), 10, 20000);
   std::set<std::string> others;
   EXPECT_TRUE(pictures("killed", &others) == pictures("calm"));
   EXPECT_EQ(others, std::set<std::string>{"jobs.jsonl"});
