@@ -33,9 +33,11 @@ glm::vec3 air_color(const Scene& scene, const glm::dvec3& direction) {
                       of_the_sky ? scene.sky.sunward : air.sunward, scene.light, direction);
 }
 
-glm::vec3 background_color(const Scene& scene, const glm::dvec3& direction) {
+glm::vec3 background_color(const Scene& scene, const glm::dvec3& direction, bool from_eye) {
   if (direction.z < 0) return air_color(scene, direction);
-  if (scene.painted_sky) return scene.painted_sky->color(direction);
+  if (scene.painted_sky)
+    return from_eye ? scene.painted_sky->color(direction)
+                    : scene.painted_sky->clear_color(direction);
   const SkyGradient& sky = scene.sky;
   const glm::vec3 horizon = with_sunward(sky.horizon, sky.sunward, scene.light, direction);
   // Steep at the horizon, as the air's depth is.

@@ -13,16 +13,21 @@ constexpr double kLongest = 256;
 
 }  // namespace
 
-glm::dmat2 footprint(const glm::dvec3& ray_direction, const glm::dvec3& normal) {
+FootprintSides footprint_sides(const glm::dvec3& ray_direction, const glm::dvec3& normal) {
   const glm::dvec3 away = glm::normalize(ray_direction);
   const double facing = std::copysign(std::max(std::abs(glm::dot(away, normal)), 1 / kLongest),
                                       glm::dot(away, normal));
   const glm::dvec3 aside = std::abs(away.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
   const glm::dvec3 across = glm::normalize(glm::cross(away, aside));
-  const auto on_ground = [&](const glm::dvec3& side) {
-    return glm::dvec2(side - away * (glm::dot(side, normal) / facing));
+  const auto on_surface = [&](const glm::dvec3& side) {
+    return side - away * (glm::dot(side, normal) / facing);
   };
-  return {on_ground(across), on_ground(glm::cross(across, away))};
+  return {on_surface(across), on_surface(glm::cross(across, away))};
+}
+
+glm::dmat2 footprint(const glm::dvec3& ray_direction, const glm::dvec3& normal) {
+  const FootprintSides sides = footprint_sides(ray_direction, normal);
+  return {glm::dvec2(sides.across), glm::dvec2(sides.up)};
 }
 
 Drape::Drape(PicturePyramid picture, std::vector<std::shared_ptr<const PixelMap>> maps)

@@ -40,8 +40,16 @@ class Drape {
   std::vector<std::shared_ptr<const PixelMap>> maps_;
 };
 
-// What a square that is 1 wide across a ray covers of ground of a normal, seen from above: two
-// sides. Ground at a grazing angle counts as 1 : 256.
+// What a square that is 1 wide across a ray covers of a surface of a normal: two sides. A surface
+// at a grazing angle counts as 1 : 256.
+struct FootprintSides {
+  glm::dvec3 across;
+  glm::dvec3 up;
+};
+[[nodiscard]] FootprintSides footprint_sides(const glm::dvec3& ray_direction,
+                                             const glm::dvec3& normal);
+
+// The same of the ground, seen from above.
 [[nodiscard]] glm::dmat2 footprint(const glm::dvec3& ray_direction, const glm::dvec3& normal);
 
 }  // namespace terrview

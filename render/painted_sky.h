@@ -42,6 +42,11 @@ class PaintedSky {
   // clear sky in orthographic views.
   [[nodiscard]] glm::vec3 color(const glm::dvec3& direction) const;
 
+  // The clear sky, in any direction of unit length.
+  [[nodiscard]] glm::vec3 clear_color(const glm::dvec3& direction) const {
+    return painter_.clear_color(direction);
+  }
+
   // The background's at the horizon under or over a direction, without the sun and its halo.
   [[nodiscard]] glm::vec3 horizon_color(const glm::dvec3& direction) const;
 

@@ -19,6 +19,10 @@ class PicturePyramid {
   // sRGB, and 255 in alpha, or 0 in a hole.
   explicit PicturePyramid(Raster<glm::u8vec4> picture);
 
+  [[nodiscard]] glm::ivec2 size_px() const {
+    return {levels_.front().width_px(), levels_.front().height_px()};
+  }
+
   // Linear Rec. 709 times the share of the picture, and that share, bilinear at the picture's own
   // pixels (level 0) and between two halvings else: at `level` pixels are 2^level wide.
   [[nodiscard]] glm::vec4 at(glm::dvec2 place_px, double level) const;

@@ -27,8 +27,8 @@ void add_reflections(const Scene& scene, const RayWidths& widths, std::span<cons
   const Scene& reflected = *scene.water->reflected;
   meet_water(reflected, mirrored_rays, mirrored_hits);
   meet_objects(reflected, mirrored_rays, mirrored_hits, counts.objects);
-  const std::vector<ShadedRay> seen =
-      shade(reflected, {widths.pixel, before_m}, mirrored_rays, mirrored_hits, counts);
+  const std::vector<ShadedRay> seen = shade(reflected, {widths.pixel, before_m, widths.bounces},
+                                            mirrored_rays, mirrored_hits, counts);
   for (std::size_t k = 0; k < indices.size(); ++k) {
     glm::vec3& clear = shaded[indices[k]].clear;
     clear = glm::mix(clear, seen[k].color, shares[k]);

@@ -11,6 +11,7 @@
 #include "render/color_ramp.h"
 #include "render/contours.h"
 #include "render/ground_detail.h"
+#include "render/lamp.h"
 #include "render/natural_ground.h"
 #include "terrain/sky_view.h"
 #include "terrain/terrain.h"
@@ -23,7 +24,7 @@ struct Light {
   glm::dvec3 towards_sun{0, 0, 1};  // true east-north-up at the eye, unit length
   glm::vec3 sun{0.95F, 0.91F, 0.82F};
   glm::vec3 ambient{0.23F, 0.26F, 0.31F};
-  bool casts_shadows = true;
+  bool casts_shadows = true;  // the lamps, too
   double sun_radius_rad = 0;  // of the disc that softens the edges of shadows; 0 = a point
 };
 
@@ -66,6 +67,7 @@ struct Scene {
   // How much of the sky each layer's posts see, which dims the ambient light; none: all of it.
   std::shared_ptr<const std::vector<SkyView>> sky_views;
   Light light;
+  std::vector<Lamp> lamps = {};
   SkyGradient sky;
   std::shared_ptr<const SceneObjects> objects;    // none: the ground alone
   std::shared_ptr<const PaintedSky> painted_sky;  // none: the plain one above

@@ -4,7 +4,10 @@
 #include <glm/geometric.hpp>
 
 #include "render/air.h"
+#include "render/ambient_light.h"
+#include "render/beams.h"
 #include "render/drape.h"
+#include "render/materials/shade_materials.h"
 #include "render/natural_ground.h"
 #include "render/objects/level_plane.h"
 #include "render/objects/prism.h"
@@ -17,9 +20,6 @@
 
 namespace terrview {
 namespace {
-
-// How far a shadow ray begins off an object, as a share of the numbers that its place is made of.
-constexpr double kOffSurface = 1e-10;
 
 GroundDetail::Ground exact_ground(const Scene& scene, const Hit& hit) {
   const VerticalFrame& frame = scene.terrain->frame();
@@ -81,14 +81,15 @@ std::vector<float> face_sun(const Scene& scene, const RayWidths& widths, std::sp
 // A surface's normal as those of Terrain are.
 glm::dvec3 plumb_normal(const VerticalFrame& frame, const SurfaceHit& surface) {
   if (frame.is_flat()) return surface.normal;
-  const glm::dvec2 ground_m(surface.position_m);
-  const double height_m = frame.at(ground_m).scene_height_m(surface.position_m.z);
-  return glm::normalize(level_plane(frame, ground_m, height_m).plumb_normal(surface.normal));
+  return glm::normalize(level_plane_at(frame, surface.position_m).plumb_normal(surface.normal));
 }
 
-// The same for the objects that are met.
-void objects_face_sun(const Scene& scene, std::span<const Ray> rays, const RayHits& hits,
-                      std::span<ShadedRay> shaded, std::span<float> facings) {
+// The same for the objects that are met, but of those made of a material, whose indices it returns,
+// the normals alone.
+std::vector<std::size_t> objects_face_sun(const Scene& scene, std::span<const Ray> rays,
+                                          const RayHits& hits, std::span<ShadedRay> shaded,
+                                          std::span<float> facings) {
+  std::vector<std::size_t> with_material;
   for (std::size_t i = 0; i < hits.objects.size(); ++i) {
     if (!hits.objects[i]) continue;
     const SurfaceHit& surface = hits.objects[i]->surface;
@@ -96,22 +97,25 @@ void objects_face_sun(const Scene& scene, std::span<const Ray> rays, const RayHi
         scene.objects->looks[static_cast<std::size_t>(hits.objects[i]->object)];
     shaded[i].distance_m = static_cast<float>(glm::distance(surface.position_m, rays[i].origin_m));
     shaded[i].normal = plumb_normal(scene.terrain->frame(), surface);
+    if (material_of(look, surface.part)) {
+      with_material.push_back(i);
+      continue;
+    }
     shaded[i].clear = surface.part == Prism::kRoof ? look.roof_color : look.color;
     const glm::dvec3 to_sun =
         local_direction(scene.terrain->frame(), surface.position_m, scene.light.towards_sun);
     const double facing = glm::dot(glm::dvec3(shaded[i].normal), to_sun);
     if (to_sun.z > 0 && facing > 0) facings[i] = static_cast<float>(facing);
   }
+  return with_material;
 }
 
 // Where light that reaches a hit comes to: on the ground, or just off the object.
 Hit lit_point(const RayHits& hits, std::size_t i) {
   if (!hits.meets_object(i)) return *hits.ground[i];
   const SurfaceHit& surface = hits.objects[i]->surface;
-  const glm::dvec3 size = glm::abs(surface.position_m);
   Hit point{};
-  point.position_m =
-      surface.position_m + kOffSurface * (size.x + size.y + size.z + 1) * surface.normal;
+  point.position_m = off_surface(surface.position_m, surface.normal);
   return point;
 }
 
@@ -125,8 +129,7 @@ void cast_shadows(const Scene& scene, const RayHits& hits, std::span<float> faci
     indices.push_back(i);
     points.push_back(lit_point(hits, i));
   }
-  const ShadowCasters casters{*scene.terrain, scene.objects ? scene.objects->set.get() : nullptr};
-  const std::vector<float> shares = sun_shares(casters, scene.light, points, counts);
+  const std::vector<float> shares = sun_shares(shadow_casters(scene), scene.light, points, counts);
   for (std::size_t i = 0; i < indices.size(); ++i) facings[indices[i]] *= shares[i];
   if (!scene.painted_sky) return;
   for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -135,18 +138,26 @@ void cast_shadows(const Scene& scene, const RayHits& hits, std::span<float> faci
   }
 }
 
-glm::vec3 sky_light(const Scene& scene, int grid, glm::dvec2 uv) {
-  if (!scene.sky_views) return scene.light.ambient;
-  return scene.light.ambient * (*scene.sky_views)[static_cast<std::size_t>(grid)].at(uv);
+glm::vec3 sky_at(const Scene& scene, const RayHits& hits, std::size_t i, const glm::vec3& normal) {
+  if (const auto& hit = hits.ground[i]) return sky_light(scene, hit->grid, hit->uv);
+  return light_on_object(scene, hits.objects[i]->surface.position_m, normal);
 }
 
-// An object sees as much of the sky as it faces, and half as bright ground otherwise.
-glm::vec3 light_on_object(const Scene& scene, const glm::dvec3& position_m,
-                          const glm::vec3& normal) {
-  const float share = 0.75F + 0.25F * normal.z;
-  if (scene.objects->walls_in_ground) return share * scene.light.ambient;
-  const auto ground = scene.terrain->ground_at(glm::dvec2(position_m));
-  return share * (ground ? sky_light(scene, ground->grid, ground->uv) : scene.light.ambient);
+// What hits that are not black have of the lamps, by ray; empty in a scene without lamps.
+std::vector<glm::vec3> light_of_lamps(const Scene& scene, const RayHits& hits,
+                                      std::span<const ShadedRay> shaded, ShadowCounts& counts) {
+  if (scene.lamps.empty()) return {};
+  std::vector<std::size_t> indices;
+  std::vector<LitPlace> places;
+  for (std::size_t i = 0; i < shaded.size(); ++i) {
+    if (shaded[i].clear == glm::vec3(0)) continue;
+    indices.push_back(i);
+    places.push_back({lit_point(hits, i).position_m, shaded[i].normal});
+  }
+  const std::vector<glm::vec3> light = lamplight(scene, places, counts);
+  std::vector<glm::vec3> by_ray(shaded.size(), glm::vec3(0));
+  for (std::size_t k = 0; k < indices.size(); ++k) by_ray[indices[k]] = light[k];
+  return by_ray;
 }
 
 // Puts the air before what the ray meets.
@@ -172,20 +183,22 @@ std::vector<ShadedRay> shade(const Scene& scene, const RayWidths& widths, std::s
                              const RayHits& hits, ShadowCounts& counts) {
   std::vector<ShadedRay> shaded(rays.size());
   std::vector<float> sunlit = face_sun(scene, widths, rays, hits, shaded);
-  objects_face_sun(scene, rays, hits, shaded, sunlit);
+  const auto with_material = objects_face_sun(scene, rays, hits, shaded, sunlit);
   if (scene.light.casts_shadows) cast_shadows(scene, hits, sunlit, counts);
+  const std::vector<glm::vec3> lamps = light_of_lamps(scene, hits, shaded, counts);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (const auto& hit = hits.ground[i]) {
-      shaded[i].clear *= sky_light(scene, hit->grid, hit->uv) + sunlit[i] * scene.light.sun;
-    } else if (hits.meets_object(i)) {
-      const glm::dvec3& position_m = hits.objects[i]->surface.position_m;
-      shaded[i].clear *=
-          light_on_object(scene, position_m, shaded[i].normal) + sunlit[i] * scene.light.sun;
+    if (hits.ground[i] || hits.meets_object(i)) {
+      glm::vec3 light = sky_at(scene, hits, i, shaded[i].normal) + sunlit[i] * scene.light.sun;
+      if (!lamps.empty()) light += lamps[i];
+      shaded[i].clear *= light;
     } else {
-      shaded[i].clear = background_color(scene, glm::normalize(rays[i].direction));
+      shaded[i].clear =
+          background_color(scene, glm::normalize(rays[i].direction), widths.bounces == 0);
       shaded[i].color = shaded[i].clear;
     }
   }
+  if (!with_material.empty())
+    shade_materials(scene, widths, rays, hits, with_material, shaded, counts);
   if (scene.water && scene.water->reflected)
     add_reflections(scene, widths, rays, hits, shaded, counts);
   for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -36,10 +36,11 @@ struct PixelWidth {
 };
 [[nodiscard]] PixelWidth pixel_width(const Camera& camera);
 
-// How wide pixels are on what rays show, by whatever way they come.
+// By what way rays come, and how wide pixels are on what they show.
 struct RayWidths {
   PixelWidth pixel;
   std::span<const double> before_m = {};  // of each ray, up to its origin; empty: 0
+  int bounces = 0;                        // of materials, before
 
   [[nodiscard]] double at(std::size_t ray, double distance_m) const {
     return pixel.at(distance_m + (before_m.empty() ? 0 : before_m[ray]));

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/objects/scene_objects.h"
 #include "terrain/occlusion.h"
 #include "terrain/view_transform.h"
 
@@ -143,6 +144,12 @@ void add_strip(const SunDisc& disc, int strip, SunRays& rays, std::span<float> s
 }
 
 }  // namespace
+
+ShadowCasters shadow_casters(const Scene& scene) {
+  if (!scene.objects) return {*scene.terrain};
+  const SceneObjects& objects = *scene.objects;
+  return {*scene.terrain, (objects.casters ? objects.casters : objects.set).get()};
+}
 
 std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> rays) {
   std::vector<std::uint8_t> stops(rays.size());

@@ -18,6 +18,7 @@ struct ShadowCasters {
   const Terrain& terrain;
   const ObjectSet* objects = nullptr;  // none: the ground alone
 };
+[[nodiscard]] ShadowCasters shadow_casters(const Scene& scene);
 
 struct ShadowCounts {
   std::int64_t rays = 0;

@@ -17,4 +17,9 @@ LevelPlane level_plane(const VerticalFrame& frame, glm::dvec2 ground_m, double s
   return plane;
 }
 
+LevelPlane level_plane_at(const VerticalFrame& frame, const glm::dvec3& point_m) {
+  const glm::dvec2 ground_m(point_m);
+  return level_plane(frame, ground_m, frame.at(ground_m).scene_height_m(point_m.z));
+}
+
 }  // namespace terrview

@@ -30,6 +30,10 @@ struct LevelPlane {
   [[nodiscard]] glm::dvec3 direction(const glm::dvec3& view) const {
     return {view.x, view.y, view.z - slope.x * view.x - slope.y * view.y};
   }
+  // A direction of the plumb frame in the view frame.
+  [[nodiscard]] glm::dvec3 view_direction(const glm::dvec3& direction) const {
+    return {direction.x, direction.y, direction.z + slope.x * direction.x + slope.y * direction.y};
+  }
   [[nodiscard]] glm::dvec3 view_normal(const glm::dvec3& normal) const {
     return {normal.x - slope.x * normal.z, normal.y - slope.y * normal.z, normal.z};
   }
@@ -42,5 +46,8 @@ struct LevelPlane {
 // That of the surface of height `scene_height_m` (z_scale included) above a ground point.
 [[nodiscard]] LevelPlane level_plane(const VerticalFrame& frame, glm::dvec2 ground_m,
                                      double scene_height_m);
+
+// That of the surface through a point.
+[[nodiscard]] LevelPlane level_plane_at(const VerticalFrame& frame, const glm::dvec3& point_m);
 
 }  // namespace terrview
