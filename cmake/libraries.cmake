@@ -24,6 +24,7 @@ if(NOT EXISTS /usr/include/opencv4)
   endforeach()
 endif()
 find_dependency(nlohmann_json 3.11 CONFIG)
+find_dependency(pugixml 1.13 CONFIG)
 find_dependency(TBB 2021.8 CONFIG)
 find_dependency(Freetype 2.12)
 

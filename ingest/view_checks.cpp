@@ -17,7 +17,6 @@ std::string in_words(const char* pattern, double value) {
 
 void check_request(const std::vector<Dem>& dems, const EyePlace& eye,
                    const ViewFrameOptions& options) {
-  if (dems.empty()) throw InputError("no DEM: name at least one file");
   if (!(options.z_scale > 0) || !std::isfinite(options.z_scale))
     throw InputError("--z-scale " + in_words("%g", options.z_scale) + ": give a number above 0");
   if (!(std::abs(options.refraction) <= 1))
@@ -37,6 +36,8 @@ void check_request(const std::vector<Dem>& dems, const EyePlace& eye,
   }
   if (!std::isfinite(eye.height_m)) throw InputError("the eye's height is not a number");
   if (eye.geographic) {
+    if (dems.empty())
+      throw InputError("no DEM, so no latitude for the eye: place it with --eye-xy");
     if (dems[0].crs_wkt.empty())
       throw InputError("'" + dems[0].name +
                        "': no coordinate system, so no latitude for the eye: " +

@@ -142,7 +142,7 @@ void ViewFrame::Impl::place_eye(const EyePlace& place) {
     eye.projected = projected(*eye.geographic);
   } else {
     eye.projected = *place.projected;
-    if (places[0].crs) {
+    if (!places.empty() && places[0].crs) {
       eye.geographic = geographic(eye.projected);
       if (!std::isfinite(eye.geographic->latitude_deg))
         throw InputError("the eye at " + eye_text() + " is nowhere on the Earth: check --eye-xy");
@@ -214,6 +214,7 @@ TerrainLayer ViewFrame::Impl::flat_layer(const Place& place) const {
 std::vector<TerrainLayer> ViewFrame::Impl::flat_layers() {
   std::vector<TerrainLayer> layers;
   for (const Place& place : places) layers.push_back(flat_layer(place));
+  if (layers.empty()) return layers;
   flat_to_ground = glm::inverse(places[0].placement.step * layers[0].map->jacobian(glm::dvec2(0)));
   return layers;
 }

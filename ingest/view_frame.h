@@ -3,7 +3,8 @@
 // Azimuth and distance on the ground of the view frame are those of the geodesic from the eye
 // (azimuthal equidistant map of the WGS 84 ellipsoid, GeographicLib: nanometres); heights follow
 // terrain/vertical_frame.h. On a flat Earth every DEM is laid by its affine map at the eye. A DEM
-// without a CRS is flat: view-frame (x, y) = its (x, y) - eye.
+// without a CRS is flat: view-frame (x, y) = its (x, y) - eye. So is a frame without a DEM, which
+// has no ground.
 #pragma once
 
 #include <memory>

@@ -68,8 +68,8 @@ struct TraceCounts {
 // Immutable, so threads may share one.
 class Terrain {
  public:
-  // `layers` in order of preference. Throws InputError if a grid is smaller than 2 x 2 posts or has
-  // no height at all.
+  // `layers` in order of preference; without any there is no ground. Throws InputError if a grid is
+  // smaller than 2 x 2 posts or has no height at all.
   Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, SurfaceModel model,
           Search search = Search::pyramid);
 

@@ -124,8 +124,20 @@ TEST(ViewFrame, RefusesToMixDemsWithAndWithoutCoordinates) {
   EXPECT_TRUE(says(refused({lost, plain(kUtm)}, over(kUtm, 900)), {"geo.tif", "--a-srs"}));
 }
 
+TEST(ViewFrame, WithoutADemIsFlatAndHasNoGround) {
+  const ViewFrame frame({}, {std::nullopt, glm::dvec2(10, 20), 5, false}, {});
+  EXPECT_FALSE(frame.is_geographic());
+  EXPECT_EQ(frame.to_ground_from_projected({13, 16}), glm::dvec2(3, -4));
+  EXPECT_EQ(frame.projected_from_ground({3, -4}), glm::dvec2(13, 16));
+  EXPECT_FALSE(frame.terrain()->ground_at({0, 0}));
+  for (const glm::dvec3 direction : {glm::dvec3(0, 0, -1), glm::dvec3(1, 2, -3)}) {
+    EXPECT_FALSE(frame.terrain()->first_hit({.origin_m = {0, 0, 0}, .direction = direction}));
+    EXPECT_FALSE(frame.terrain()->occluded({.origin_m = {0, 0, 0}, .direction = direction}));
+  }
+}
+
 TEST(ViewFrame, RefusesOptionsThatMakeNoView) {
-  EXPECT_NE(refused({}, over(kUtm, 900)), "");
+  EXPECT_TRUE(says(refused({}, {GeoPoint{48, 7}, std::nullopt, 900, false}), {"no DEM"}));
   EXPECT_NE(refused({plain(kUtm)}, over(kUtm, 900), {.z_scale = 0}), "");
   EXPECT_NE(refused({plain(kUtm)}, over(kUtm, 900), {.refraction = 1.5}), "");
   Dem row = plain({"row.tif", "EPSG:32632", {350000, 5312000}, 75, {200, 1}, {0.5, 0.5}});
