@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/plan.h"
 #include "cli/preset.h"
+#include "cli/scene/scene_contents.h"
 #include "cli/view_ground.h"
 #include "cli/view_labels.h"
 #include "cli/view_light.h"
@@ -18,6 +19,13 @@
 
 namespace terrview {
 namespace {
+
+constexpr const char* kAbout = "What can be seen of the ground from a point on the Earth";
+
+void add_print_scene(CLI::App& app, bool& prints_scene) {
+  app.add_flag("--print-scene", prints_scene,
+               "Write the view as a scene file to standard output instead");
+}
 
 void check_angles(const ViewOptions& options) {
   if (std::abs(options.pitch_deg.value_or(0)) > 90)
@@ -75,6 +83,24 @@ void check_palette(const ViewOptions& options) {
                      ": is not written with a palette: leave out one of them");
 }
 
+// Of a view without a DEM.
+void check_without_ground(const ViewOptions& options) {
+  const WaterOptions& water = options.water;
+  const char* needy = options.plan                                     ? "--projection plan"
+                      : !options.drape.empty()                         ? "--drape"
+                      : !options.colors.empty()                        ? "--colors"
+                      : water.level_m || !water.file.empty()           ? "--water"
+                      : !options.labels.peaks.empty()                  ? "--peaks"
+                      : !options.wireline.file.empty()                 ? "--wireline"
+                      : options.light.sky_azimuths > 0                 ? "--sky-view"
+                      : options.earth == EarthModel::curved            ? "--earth curved"
+                      : options.refraction                             ? "--refraction"
+                      : options.look_at && options.look_at->geographic ? "--look-at"
+                                                                       : nullptr;
+  if (needy != nullptr)
+    throw InputError(std::string(needy) + ": there is no ground: name a DEM, or leave it out");
+}
+
 }  // namespace
 
 void check_z_scale(const ViewOptions& options) {
@@ -86,17 +112,20 @@ void prepare(ViewOptions& options) {
   apply_preset(options);
   const ViewOptions given = options;
   if (!options.from_camera.empty()) apply_camera_file(options);
+  if (options.dems.empty()) check_without_ground(options);
   check_plan(options);
   if (!options.eye && !options.plan)
     throw InputError("--eye: missing: say where the eye is, as --eye 47.9,7.1,+2");
   if (options.eye) check_eye(*options.eye);
+  if (options.dems.empty() && !options.look_at && !options.heading_deg)
+    throw InputError("--heading: missing: without a DEM nothing else says where to look");
   check_angles(options);
   check_earth(options);
   check_light(options.light);
   check_air(options.air);
   check_sampling(options);
   check_palette(options);
-  check_objects(options.objects);
+  check_objects(options.objects, options.contents && !options.contents->solids.empty());
   check_ground_colors(options);
   check_water(options.water);
   check_labels(options.labels);
@@ -111,10 +140,27 @@ void prepare(ViewOptions& options) {
   if (options.projection == Projection::cylindrical || shifted) options.pitch_deg = 0;
 }
 
-ViewOptions parse_view(const std::vector<std::string>& args, const std::string& program) {
+GivenView given_view(const std::vector<std::string>& args, const std::string& program) {
   ViewOptions options;
-  CommandLine app("What can be seen of the ground from a point on the Earth", program);
+  CommandLine app(kAbout, program);
   add_view_options(app, options);
+  GivenView given;
+  add_print_scene(app, given.prints_scene);
+  app.get_option("DEM")->required(false);
+  app.parse_args(args);
+  given.values = ViewVocabulary().given(app);
+  given.dems = std::move(options.dems);
+  return given;
+}
+
+ViewOptions parse_view(const std::vector<std::string>& args, const std::string& program,
+                       std::shared_ptr<const SceneContents> contents) {
+  ViewOptions options;
+  CommandLine app(kAbout, program);
+  add_view_options(app, options);
+  if (contents) app.get_option("DEM")->required(false);
+  options.contents = std::move(contents);
+  add_print_scene(app, options.prints_scene);
   app.parse_args(args);
   prepare(options);
   return options;

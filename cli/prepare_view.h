@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "cli/batch/option_values.h"
 #include "cli/view_options.h"
 
 namespace terrview {
@@ -14,8 +16,19 @@ void prepare(ViewOptions& options);
 // Throws InputError for a --z-scale that no view has.
 void check_z_scale(const ViewOptions& options);
 
-// The options that `args` say to `program`, prepared. Throws what CommandLine and prepare() throw.
+// What `args` say to `program` of a view, as texts, unchecked but for each option by itself.
+struct GivenView {
+  OptionValues values;
+  std::vector<std::string> dems;
+  bool prints_scene = false;
+};
+[[nodiscard]] GivenView given_view(const std::vector<std::string>& args,
+                                   const std::string& program);
+
+// The options that `args` say to `program`, prepared; of a scene with those contents, which may do
+// without a DEM. Throws what CommandLine and prepare() throw.
 [[nodiscard]] ViewOptions parse_view(const std::vector<std::string>& args,
-                                     const std::string& program);
+                                     const std::string& program,
+                                     std::shared_ptr<const SceneContents> contents = nullptr);
 
 }  // namespace terrview

@@ -12,6 +12,7 @@
 #include "cli/overview_command.h"
 #include "cli/quantize_command.h"
 #include "cli/say_error.h"
+#include "cli/scene/scene_command.h"
 #include "cli/sky_command.h"
 #include "cli/synth_command.h"
 #include "cli/view_command.h"
@@ -26,6 +27,7 @@ constexpr const char* kUsage =
     "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
     "  terrview batch JOBS --dem DEM... -o '{name}.png'              many, from a table\n"
     "  terrview overview DEM... [options] [-o OUT]                   a whole region\n"
+    "  terrview SCENE.json|SCENE.xml [options] [-o OUT]              what a scene file describes\n"
     "  terrview info DEM... [--json]                                 what DEMs hold\n"
     "  terrview sky [--clouds 0..1] [--seed N] [-o OUT]              a sky, wood, marble\n"
     "  terrview synth [--relief plain|ridged|eroded] [-o OUT.tif]    a height grid\n"
@@ -49,7 +51,8 @@ int dispatch(std::vector<std::string> args) {
     return 0;
   }
   const auto command = kCommands.find(args.front());
-  if (command == kCommands.end()) return run_view(args);
+  if (command == kCommands.end())
+    return is_scene_name(args.front()) ? run_scene(args) : run_view(args);
   args.erase(args.begin());
   return command->second(args);
 }

@@ -43,8 +43,8 @@ std::shared_ptr<const LaidWater> SharedInputs::water(const WaterOptions& options
                                                      const std::vector<Dem>& dems) {
   return water_.get(options.file, [&] {
     LaidWater laid = lay_water(options, dems);
-    const bool shares_tables = dems.front().ceilings != nullptr;
-    if (laid.lakes && shares_tables) make_shared_tables(laid.lakes->dems, /*threads=*/1);
+    const bool shares_tables = laid.lakes && dems.front().ceilings;
+    if (shares_tables) make_shared_tables(laid.lakes->dems, /*threads=*/1);
     return std::make_shared<const LaidWater>(std::move(laid));
   });
 }

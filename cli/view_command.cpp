@@ -12,6 +12,8 @@
 #include "cli/plan.h"
 #include "cli/prepare_view.h"
 #include "cli/progress.h"
+#include "cli/scene/place_scene.h"
+#include "cli/scene/scene_json.h"
 #include "cli/view_files.h"
 #include "cli/view_messages.h"
 #include "cli/view_metadata.h"
@@ -26,6 +28,10 @@
 
 namespace terrview {
 namespace {
+
+bool shows_display_colors(const ViewOptions& options) {
+  return options.contents && options.contents->display_colors;
+}
 
 Frame render(const ViewOptions& options, const View& view, const ViewFiles& files) {
   ProgressBar bar("rendering", shows_bar(options));
@@ -42,6 +48,7 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
   if (files.progressive)
     how.improved = [&, to_file = image_options(options, view)](const Image& image) {
       Image labelled = image;
+      if (shows_display_colors(options)) show_display_colors(labelled);
       draw_labels(view.labels, labelled);
       files.progressive->fill(
           [&](const std::string& path) { write_image(path, labelled, to_file); });
@@ -49,6 +56,7 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
     };
   try {
     Frame frame = terrview::render(view.scene, view.camera, how);
+    if (shows_display_colors(options)) show_display_colors(frame.image);
     draw_labels(view.labels, frame.image);
     return frame;
   } catch (const Interrupted&) {
@@ -140,6 +148,7 @@ std::vector<Dem> read_with_bar(ViewOptions& options) {
     check_interrupt();
     bar.report(share);
   };
+  if (options.dems.empty()) return {};
   limit_reading(options);
   return read_dems(options.dems, options.dem);
 }
@@ -172,7 +181,12 @@ Image make_image(const ViewOptions& options, const std::vector<Dem>& dems, Share
 }
 
 int run_view(const std::vector<std::string>& args) {
-  return run_prepared_view(parse_view(args, "terrview view"));
+  constexpr const char* kProgram = "terrview view";
+  ViewOptions options = parse_view(args, kProgram);
+  if (!options.prints_scene) return run_prepared_view(std::move(options));
+  const GivenView given = given_view(args, kProgram);
+  std::printf("%s", scene_text(scene_json(given.values, given.dems)).c_str());
+  return 0;
 }
 
 int run_prepared_view(ViewOptions options) {

@@ -4,6 +4,7 @@
 
 #include "cli/camera_json.h"
 #include "cli/output_options.h"
+#include "cli/scene/scene_contents.h"
 #include "cli/view_outputs.h"
 #include "ingest/indexed_file.h"
 #include "ingest/plan_file.h"
@@ -33,6 +34,7 @@ std::vector<std::string> files_read(const ViewOptions& options) {
   files.insert(files.end(), {options.objects.buildings, options.objects.trees, options.drape,
                              options.water.file, options.labels.peaks, options.labels.font,
                              options.colors, options.palette.use_palette, options.from_camera});
+  if (options.contents) files.push_back(options.contents->path);
   return files;
 }
 

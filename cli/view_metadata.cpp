@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.h"
+#include "cli/scene/scene_contents.h"
 #include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_objects.h"
@@ -118,6 +119,16 @@ Json water_json(const WaterOptions& options) {
   return json;
 }
 
+// Of what no option says.
+Json contents_json(const SceneContents& contents) {
+  Json json = Json::object();
+  if (!contents.solids.empty()) json["solids"] = contents.solids.size();
+  if (!contents.lamps.empty()) json["lamps"] = contents.lamps.size();
+  if (contents.sun || contents.ambient || contents.background) json["light"] = "its own";
+  if (contents.display_colors) json["colors"] = "display";
+  return json;
+}
+
 }  // namespace
 
 std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
@@ -158,6 +169,10 @@ std::string view_metadata(const ViewOptions& options, const ResolvedView& view,
   if (!options.drape.empty()) json["drape"] = file_name(options.drape);
   if (options.contour_interval_m > 0) json["contours"] = options.contour_interval_m;
   if (has_water(options.water)) json["water"] = water_json(options.water);
+  if (options.contents) {
+    const Json scene = contents_json(*options.contents);
+    if (!scene.empty()) json["scene"] = scene;
+  }
   if (wants_palette(options.palette)) json["palette"] = palette_json(options.palette);
   // File names may be no UTF-8.
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);

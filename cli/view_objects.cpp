@@ -5,7 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "cli/add_option.h"
+#include "cli/scene/place_scene.h"
 #include "ingest/feature_attributes.h"
+#include "render/materials/material.h"
+#include "render/objects/make_object_set.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -77,6 +80,16 @@ void warn_of_eye_within(ViewObjects& objects) {
                              std::to_string(feature->number) + ": it sees that from inside");
 }
 
+// What light goes through casts no shadow.
+std::shared_ptr<const SceneObjects> with_casters(std::shared_ptr<const SceneObjects> scene) {
+  if (!scene) return scene;
+  Objects opaque = opaque_objects(*scene);
+  if (opaque.size() == scene->set->objects().size()) return scene;
+  auto with = std::make_shared<SceneObjects>(*scene);
+  with->casters = make_object_set(std::move(opaque));
+  return with;
+}
+
 // height, a colour, or the name of a field.
 void parse_building_color(const std::string& text, ObjectOptions& options) {
   options.building_color = text;
@@ -119,7 +132,7 @@ void add_object_options(CLI::App& app, ObjectOptions& options) {
       ->type_name("FILE");
 }
 
-void check_objects(const ObjectOptions& options) {
+void check_objects(const ObjectOptions& options, bool has_solids) {
   const double height_m = options.placing.default_height_m;
   if (!(height_m > 0 && height_m <= 2000))
     throw InputError("--default-height: give metres above 0, up to 2000");
@@ -131,7 +144,7 @@ void check_objects(const ObjectOptions& options) {
     throw InputError(
         "--height, --default-height, --base, --building-color: belong to buildings: give "
         "--buildings too");
-  if (!options.csv.empty() && options.buildings.empty() && options.trees.empty())
+  if (!options.csv.empty() && options.buildings.empty() && options.trees.empty() && !has_solids)
     throw InputError("--objects-csv: there are no objects: give --buildings or --trees");
 }
 
@@ -141,13 +154,14 @@ const char* name_of(BuildingBase base) {
   return "";
 }
 
-ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame,
-                         SharedInputs& inputs) {
+ViewObjects read_objects(const ViewOptions& options, const ViewFrame& frame, SharedInputs& inputs) {
+  const ObjectOptions& files = options.objects;
   ViewObjects objects;
-  if (!options.buildings.empty())
-    add_buildings(*inputs.footprints(options.buildings, options.reading), options, frame, objects);
-  if (!options.trees.empty()) add_trees(*inputs.trees(options.trees), frame, objects);
-  objects.scene = objects.placed.scene_objects();
+  if (!files.buildings.empty())
+    add_buildings(*inputs.footprints(files.buildings, files.reading), files, frame, objects);
+  if (!files.trees.empty()) add_trees(*inputs.trees(files.trees), frame, objects);
+  if (options.contents) place_solids(*options.contents, frame, objects.placed);
+  objects.scene = with_casters(objects.placed.scene_objects());
   warn_of_eye_within(objects);
   return objects;
 }

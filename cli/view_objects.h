@@ -14,8 +14,8 @@ namespace terrview {
 
 void add_object_options(CLI::App& app, ObjectOptions& options);
 
-// Throws InputError for options that need others.
-void check_objects(const ObjectOptions& options);
+// Throws InputError for options that need others. `has_solids`: those of a scene file.
+void check_objects(const ObjectOptions& options, bool has_solids);
 
 [[nodiscard]] const char* name_of(BuildingBase base);
 
@@ -26,7 +26,7 @@ struct ViewObjects {
 };
 
 // Throws InputError.
-[[nodiscard]] ViewObjects read_objects(const ObjectOptions& options, const ViewFrame& frame,
+[[nodiscard]] ViewObjects read_objects(const ViewOptions& options, const ViewFrame& frame,
                                        SharedInputs& inputs);
 
 }  // namespace terrview

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ class App;
 }
 
 namespace terrview {
+
+struct SceneContents;
 
 struct LightOptions {
   std::optional<SunPosition> sun;
@@ -95,7 +98,8 @@ struct SamplingOptions {
 };
 
 struct ViewOptions {
-  std::vector<std::string> dems;
+  std::vector<std::string> dems;                  // none only with `contents`
+  std::shared_ptr<const SceneContents> contents;  // of a scene file; null: none
   DemOptions dem;
 
   std::optional<EyePlace> eye;    // none: a plan's is above the middle of the first DEM
@@ -147,6 +151,7 @@ struct ViewOptions {
   std::string progressive;
   bool quiet = false;
   bool progress = false;
+  bool prints_scene = false;  // instead of a picture
 };
 
 // Adds the options that say how DEMs are read: shared by the commands that read any.

@@ -10,6 +10,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/plan.h"
+#include "cli/scene/place_scene.h"
 #include "cli/view_ground.h"
 #include "cli/view_light.h"
 #include "cli/view_sky.h"
@@ -140,7 +141,7 @@ ResolvedView known_view(const ViewOptions& options) {
 
 ResolvedView resolve_view(const ViewOptions& options, const ViewFrame& frame,
                           const std::vector<Dem>& dems) {
-  if (!frame.is_geographic()) check_curved(options, dems.front());
+  if (!frame.is_geographic() && !dems.empty()) check_curved(options, dems.front());
   ResolvedView view = known_view(options);
   if (!frame.is_geographic()) view.earth = EarthModel::flat;
   view.eye = options.plan ? eye_of_plan(options, dems) : *options.eye;
@@ -192,7 +193,8 @@ View make_view(const ViewOptions& options, const std::vector<Dem>& dems, SharedI
   set_ground_colors(options, ground, inputs, scene);
   const Camera camera = make_camera(resolved);
   scene.painted_sky = paint_view_sky(options.sky, frame, camera, scene);
-  ViewObjects objects = read_objects(options.objects, frame, inputs);
+  if (options.contents) place_light(*options.contents, frame, scene);
+  ViewObjects objects = read_objects(options, frame, inputs);
   objects.messages.insert(objects.messages.end(), laid->messages.begin(), laid->messages.end());
   scene.objects = objects.scene;
   if (has_water(options.water))

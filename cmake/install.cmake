@@ -27,6 +27,7 @@ install(FILES packaging/_terrview DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-
   COMPONENT zsh)
 install(DIRECTORY docs/ DESTINATION ${document_folder} COMPONENT program)
 install(FILES LICENSE DESTINATION ${document_folder} COMPONENT program)
+install(DIRECTORY samples/scenes DESTINATION ${document_folder}/examples COMPONENT program)
 install(FILES samples/vosges_like.tif DESTINATION ${document_folder}/examples COMPONENT program)
 
 install(TARGETS terrview_flags ${libraries} EXPORT terrview COMPONENT development)

@@ -1,11 +1,13 @@
 #include "cli/batch/option_values.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <set>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/nearest_name.h"
 #include "cli/parse.h"
 #include "cli/view_options.h"
 #include "terrain/error.h"
@@ -21,25 +23,16 @@ std::string name_of(const CLI::Option& option) {
   return option.get_lnames().empty() ? option.get_snames().front() : option.get_lnames().front();
 }
 
-bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
+bool has_no_value(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
 bool takes_many(const CLI::Option& option) {
   return option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
 }
 
-// Levenshtein's.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
+bool is_number(const std::string& text) {
+  char* end = nullptr;
+  static_cast<void>(std::strtod(text.c_str(), &end));
+  return !text.empty() && *end == '\0';
 }
 
 }  // namespace
@@ -87,22 +80,41 @@ std::optional<std::string> ViewVocabulary::option_of(const std::string& column) 
 }
 
 std::string ViewVocabulary::nearest(const std::string& column) const {
-  std::string best;
-  for (const auto& [name, unused] : definitions_->by_name)
-    if (!is_common(name) &&
-        (best.empty() || edit_distance(name, column) < edit_distance(best, column)))
-      best = name;
-  return best;
+  std::vector<std::string> columns;
+  for (const std::string& name : names())
+    if (!is_common(name)) columns.push_back(name);
+  return nearest_name(columns, column);
 }
 
 bool ViewVocabulary::is_common(const std::string& option) const {
   return kBehaviour.count(option) > 0 || definitions_->reading.count(option) > 0;
 }
 
+bool ViewVocabulary::is_behaviour(const std::string& option) const {
+  return kBehaviour.count(option) > 0;
+}
+
+bool ViewVocabulary::is_flag(const std::string& name) const { return has_no_value(option(name)); }
+
+bool ViewVocabulary::names_file(const std::string& name, const std::string& value) const {
+  const std::string kinds = "|" + option(name).get_type_name() + "|";
+  const auto is_kind = [&](const std::string& kind) {
+    return kinds.find("|" + kind + "|") != std::string::npos;
+  };
+  if (!(is_kind("FILE") || is_kind("IMAGE")) || is_kind(value)) return false;
+  return !is_kind("LEVEL") || !is_number(value);
+}
+
+std::vector<std::string> ViewVocabulary::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, unused] : definitions_->by_name) names.push_back(name);
+  return names;
+}
+
 void ViewVocabulary::set(const std::string& name, const std::vector<std::string>& cell,
                          OptionValues& values) const {
   const CLI::Option& known = option(name);
-  if (is_flag(known)) {
+  if (has_no_value(known)) {
     const std::string word = lower_case(cell.front());
     if (cell.size() != 1 || (word != "true" && word != "false"))
       throw InputError("--" + name + " " + cell.front() + ": give true, false or nothing");
@@ -138,7 +150,7 @@ std::vector<std::string> ViewVocabulary::arguments(const OptionValues& values,
   for (const auto& [name, all] : values) {
     const bool is_short = name.size() == 1;
     for (const std::string& value : all) {
-      if (is_flag(option(name)))
+      if (has_no_value(option(name)))
         args.push_back("--" + name);
       else
         args.push_back(is_short ? "-" + name + value : "--" + name + "=" + value);

@@ -39,6 +39,18 @@ class ViewVocabulary {
   // Whether an option is one for a whole batch: says how DEMs are read, or how the program behaves.
   [[nodiscard]] bool is_common(const std::string& option) const;
 
+  // The second only: -o, --threads, --quiet ...
+  [[nodiscard]] bool is_behaviour(const std::string& option) const;
+
+  // Whether an option takes no value.
+  [[nodiscard]] bool is_flag(const std::string& option) const;
+
+  // Whether `value` of an option is the name of a file, rather than one of its words or a number.
+  [[nodiscard]] bool names_file(const std::string& option, const std::string& value) const;
+
+  // Of every option, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> names() const;
+
   // `values` with what the row says instead; an option that excludes one of the row's goes. A
   // flag's cell is true or false. Throws InputError for a flag that is neither.
   [[nodiscard]] OptionValues with_row(OptionValues values, const JobRow& row) const;
