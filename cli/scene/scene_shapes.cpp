@@ -22,8 +22,8 @@ constexpr std::size_t kMostCorners = 10'000;
 SolidPtr read_box(const SceneNode& node) {
   const glm::dvec3 size =
       node.at("size").vector({0, kFarthest_m, "metres above 0, up to a million", true});
-  return std::make_shared<BoxSolid>(
-      Box{{-size.x / 2, -size.y / 2, 0}, {size.x / 2, size.y / 2, size.z}});
+  const Box box{{-size.x / 2, -size.y / 2, 0}, {size.x / 2, size.y / 2, size.z}};
+  return node.make([&] { return std::make_shared<BoxSolid>(box); });
 }
 
 SolidPtr read_cylinder(const SceneNode& node) {
@@ -156,13 +156,15 @@ SceneShape SceneShapes::read_at(const SceneNode& node, std::vector<std::string> 
   keys.insert(keys.end(), shape_keys().at(kind).begin(), shape_keys().at(kind).end());
   node.check_keys(keys);
   SceneShape shape = untransformed(node, kind, depth);
-  if (shape.depth > kDeepest) too_deep();
   if (shape.materials.size() > kMostPrimitives)
     node.fail("is of more than " + std::to_string(kMostPrimitives) +
               " primitives: part it into several solids");
   const glm::dmat4 transform = read_transform(node);
-  if (transform != glm::dmat4(1))
+  if (transform != glm::dmat4(1)) {
     shape.solid = std::make_shared<Transformed>(std::move(shape.solid), transform);
+    ++shape.depth;
+  }
+  if (shape.depth > kDeepest) too_deep();
   if (const auto material = node.find("material")) {
     const MaterialPlan plan = materials_.read(*material);
     std::replace(shape.materials.begin(), shape.materials.end(), MaterialPlan(), plan);

@@ -93,6 +93,15 @@ TEST(HostileScene, NamesThatMultiplyOrNestAreBounded) {
   expect_scene_refused(chain(20'000, 1), "is nested deeper than 500");
 }
 
+// Each name is read before the one that is made of it.
+TEST(HostileScene, LongChainsOfMovesAreBounded) {
+  std::string shapes = "\"s100000\": {" + kBall + "}";
+  for (int i = 100'001; i < 110'000; ++i)
+    shapes += ", \"s" + std::to_string(i) + R"(": {"kind": "shape", "name": "s)" +
+              std::to_string(i - 1) + R"(", "move": [1, 0, 0]})";
+  expect_scene_refused("{\"shapes\": {" + shapes + "}}", "is nested deeper than 500");
+}
+
 std::string repeated(const std::string& text, std::size_t count) {
   std::string all;
   for (std::size_t i = 0; i < count; ++i) all += (i > 0 ? "," : "") + text;
@@ -121,6 +130,7 @@ TEST(HostileScene, NumbersAreFiniteAndOfAUsefulSize) {
   for (const char* bad : {"1e308", "-1e308", "0", "\"5\"", "null", "true", "[5]", "{}"})
     expect_scene_refused(ball(bad), "/solids/0/radius: give metres above 0");
   expect_scene_refused(ball("1e-300"), "is smaller than a thousandth of a millimetre");
+  expect_scene_refused(scene_of_solid(R"("kind": "box", "size": [1, 1, 5e-324])"), "/solids/0: ");
   expect_scene_refused(scene_of_solid(kBall + R"(, "scale": [1, 1, 0])"), "factors above 0");
   expect_scene_refused(
       scene_of_solid(kBall + R"(, "matrix": [[1, 0, 0, 0], [2, 0, 0, 0], [0, 0, 1, 0]])"), "flat");
