@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/geometric.hpp>
+
 #include "ingest/dem.h"
 #include "render/objects/object_set.h"
 #include "render/objects/scene_objects.h"
@@ -95,6 +97,41 @@ TEST_F(PlacedScene, MapCoordinatesAreThoseOfTheFirstDem) {
   EXPECT_TRUE(std::isnan(top_m(*objects, frame, {50, 89})));
   EXPECT_THROW(static_cast<void>(placed(R"("kind": "sphere", "radius": 1, "at": [48, 7])", frame)),
                InputError);
+}
+
+TEST_F(PlacedScene, LampsHangOverTheGroundAndSpotsAim) {
+  const std::vector<Dem> dems = hills();
+  const ViewFrame frame = frame_of(dems, eye());
+  const SceneFile file = parse_json_scene(
+      R"({"lamps": [{"at": [48.005, 7.008, "+20"], "color": [255, 0, 0], "intensity": 3,
+                     "distance": 7, "spot": {"towards": [48.007, 7.008, 900], "half-angle": 90}},
+                    {"at-xy": [7.008, 48.005, 800], "spot": {"direction": [0, 0, -2]}}],
+          "light": {"ambient": [255, 255, 255], "background": [0, 255, 0]}})",
+      "s.json");
+  Scene scene;
+  const glm::vec3 daylight = scene.light.sun;
+  place_light(*file.contents, frame, scene);
+  ASSERT_EQ(scene.lamps.size(), 2U);
+  const VerticalFrame& vertical = frame.terrain()->frame();
+  const auto at = [&](GeoPoint point, double height_m) {
+    const glm::dvec2 ground_m = frame.to_ground(point);
+    return glm::dvec3(ground_m, vertical.at(ground_m).z_m(height_m));
+  };
+  const double ground_m = frame.terrain()->ground_at(frame.to_ground(kPlace))->scene_height_m;
+  const Lamp& first = scene.lamps[0];
+  EXPECT_NEAR(glm::distance(first.position_m, at(kPlace, ground_m + 20)), 0, 1e-6);
+  EXPECT_EQ(first.color, glm::vec3(1, 0, 0));
+  EXPECT_EQ(first.intensity, 3);
+  EXPECT_EQ(first.reference_m, 7);
+  const glm::dvec3 aim = at({48.007, 7.008}, 900) - first.position_m;
+  EXPECT_NEAR(glm::distance(first.spot->direction, aim), 0, 1e-6);
+  EXPECT_NEAR(first.spot->half_angle_rad, std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(glm::distance(scene.lamps[1].position_m, at(kPlace, 800)), 0, 1e-5);
+  EXPECT_NEAR(glm::distance(glm::normalize(scene.lamps[1].spot->direction), {0, 0, -1}), 0, 1e-9);
+  EXPECT_EQ(scene.light.sun, daylight);
+  EXPECT_EQ(scene.light.ambient, glm::vec3(1));
+  EXPECT_EQ(scene.sky.zenith, glm::vec3(0, 1, 0));
+  EXPECT_EQ(scene.sky.horizon, glm::vec3(0, 1, 0));
 }
 
 TEST_F(PlacedScene, PartsHaveTheirOwnMaterialsOrTheOneAround) {
