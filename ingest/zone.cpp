@@ -1,0 +1,166 @@
+#include "ingest/zone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "render/parallel.h"
+#include "render/post_sight.h"
+#include "terrain/error.h"
+#include "terrain/post_ground.h"
+#include "terrain/view_transform.h"
+
+namespace terrview {
+namespace {
+
+ViewFrame frame_of(const std::vector<Dem>& dems, const std::vector<EyePlace>& targets,
+                   std::size_t number, const ZoneOptions& options) {
+  ViewFrameOptions frame = options.frame;
+  frame.beyond_sight = false;
+  frame.above_ground_m = options.observer_m;
+  frame.under_ground = true;
+  try {
+    return {dems, targets[number], frame};
+  } catch (const InputError& error) {
+    throw InputError("target " + std::to_string(number + 1) + ": " + error.what());
+  }
+}
+
+// Whether a target is seen, by post.
+std::vector<bool> sight_of(const ViewFrame& frame, const HeightGrid& grid,
+                           const ZoneOptions& options) {
+  const auto objects = options.obstacles ? options.obstacles(frame) : nullptr;
+  const std::vector<std::uint8_t> seen = posts_that_see_eye(*frame.terrain(), grid,
+                                                            {.observer_m = options.observer_m,
+                                                             .objects = objects.get(),
+                                                             .threads = options.frame.threads});
+  return {seen.begin(), seen.end()};
+}
+
+// Targets and observers in one straight frame, that of the first target.
+class Directions {
+ public:
+  Directions(const ViewFrame& frame, const std::vector<ViewFrame::Eye>& targets)
+      : terrain_(*frame.terrain()) {
+    for (const ViewFrame::Eye& target : targets)
+      targets_m_.push_back(
+          frame.to_true_enu(at(target.geographic ? frame.to_ground(*target.geographic)
+                                                 : frame.to_ground_from_projected(target.projected),
+                               terrain_.frame().z_scale * target.height_m)));
+  }
+
+  // Of an observer at `ground_m` and this scene height.
+  [[nodiscard]] double largest_angle_rad(glm::dvec2 ground_m, double scene_height_m,
+                                         const std::vector<std::size_t>& seen) const {
+    const glm::dvec3 observer_m = to_true_enu(terrain_.frame(), at(ground_m, scene_height_m));
+    std::vector<glm::dvec3> towards;
+    for (const std::size_t target : seen)
+      towards.push_back(glm::normalize(targets_m_[target] - observer_m));
+    double longest = 0;
+    for (std::size_t i = 0; i < towards.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        longest = std::max(longest, glm::distance(towards[i], towards[j]));
+    return 2 * std::asin(std::min(1.0, longest / 2));
+  }
+
+ private:
+  [[nodiscard]] glm::dvec3 at(glm::dvec2 ground_m, double scene_height_m) const {
+    return {ground_m, terrain_.frame().at(ground_m).z_m(scene_height_m)};
+  }
+
+  const Terrain& terrain_;
+  std::vector<glm::dvec3> targets_m_;
+};
+
+// What is seen by target, and then of it by post.
+class ZoneMaker {
+ public:
+  ZoneMaker(const Dem& dem, const ZoneOptions& options) : grid_(*dem.grid), options_(options) {
+    zone_.columns = grid_.columns;
+    zone_.rows = grid_.rows;
+    zone_.placement = dem.placement;
+    zone_.crs_wkt = dem.crs_wkt;
+    zone_.counts.assign(grid_.heights_m.size(), Zone::kNoData);
+    zone_.angles_rad.assign(grid_.heights_m.size(), Zone::kNoData);
+  }
+
+  void add(ViewFrame frame) {
+    seen_.push_back(sight_of(frame, grid_, options_));
+    targets_.push_back(frame.eye());
+    if (!first_frame_) first_frame_ = std::move(frame);
+  }
+
+  Zone result() {
+    const Directions directions(*first_frame_, targets_);
+    parallel_for(grid_.rows, options_.frame.threads, [&](int row) { fill_row(directions, row); });
+    return std::move(zone_);
+  }
+
+ private:
+  void fill_row(const Directions& directions, int row) {
+    const Terrain& terrain = *first_frame_->terrain();
+    std::vector<glm::dvec2> ground_m;
+    for (int column = 0; column < grid_.columns; ++column) {
+      const double height_m = grid_.at(column, row);
+      if (std::isnan(height_m)) continue;
+      const std::size_t post = zone_.index(column, row);
+      const std::vector<std::size_t> seen = seen_from(post);
+      zone_.counts[post] = static_cast<float>(seen.size());
+      zone_.angles_rad[post] = 0;
+      if (seen.size() < 2) continue;
+      if (ground_m.empty()) ground_m = ground_of_row(terrain, grid_, row);
+      zone_.angles_rad[post] = static_cast<float>(directions.largest_angle_rad(
+          ground_m[static_cast<std::size_t>(column)],
+          terrain.frame().z_scale * height_m + options_.observer_m, seen));
+    }
+  }
+
+  [[nodiscard]] std::vector<std::size_t> seen_from(std::size_t post) const {
+    std::vector<std::size_t> seen;
+    for (std::size_t target = 0; target < seen_.size(); ++target)
+      if (seen_[target][post]) seen.push_back(target);
+    return seen;
+  }
+
+  const HeightGrid& grid_;
+  const ZoneOptions& options_;
+  Zone zone_;
+  std::vector<std::vector<bool>> seen_;  // by target, then by post
+  std::vector<ViewFrame::Eye> targets_;
+  std::optional<ViewFrame> first_frame_;
+};
+
+// Pyramids that the frames of all targets share.
+std::vector<Dem> with_ceilings(std::vector<Dem> dems, const ViewFrameOptions& options) {
+  for (Dem& dem : dems) {
+    if (dem.ceilings || options.search == Search::plain) continue;
+    dem.ceilings = std::make_shared<const HeightCeilings>(
+        *dem.grid, [&](int count, const std::function<void(int index)>& work) {
+          parallel_for(count, options.threads, work);
+        });
+  }
+  return dems;
+}
+
+}  // namespace
+
+Zone visible_zone(const std::vector<Dem>& dems, const std::vector<EyePlace>& targets,
+                  const ZoneOptions& options) {
+  if (targets.empty()) throw InputError("no target: give a point of what is to be seen");
+  if (!(options.observer_m >= 0))
+    throw InputError("an observer stands on the ground or above it: give a height from 0");
+  if (dems.empty()) throw InputError("no DEM: name at least one file");
+  const std::vector<Dem> shared = with_ceilings(dems, options.frame);
+  ZoneMaker maker(shared[0], options);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    maker.add(frame_of(shared, targets, i, options));
+    if (options.progress)
+      options.progress(static_cast<double>(i + 1) / static_cast<double>(targets.size()));
+  }
+  return maker.result();
+}
+
+}  // namespace terrview
