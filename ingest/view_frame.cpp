@@ -220,10 +220,9 @@ std::vector<TerrainLayer> ViewFrame::Impl::flat_layers() {
 
 std::vector<TerrainLayer> ViewFrame::Impl::curved_layers(const VerticalFrame& frame) {
   const Relief heights = relief(places, options.z_scale);
-  const double sight =
-      options.beyond_sight
-          ? kFurthest_m
-          : sight_m(frame, heights.lowest_m, heights.highest_m + options.above_ground_m);
+  const double sight = options.beyond_sight ? kFurthest_m
+                                            : sight_m(frame, heights.lowest_m,
+                                                      heights.highest_m + options.above_ground_m);
   std::vector<TerrainLayer> layers;
   for (const Place& place : places) {
     for (const LaidGrid& laid : lay_grid(exact_map(place), place.size(), sight)) {
