@@ -10,7 +10,7 @@
 #include "render/parallel.h"
 #include "render/post_sight.h"
 #include "terrain/error.h"
-#include "terrain/post_ground.h"
+#include "terrain/post_sight_lines.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
@@ -36,7 +36,8 @@ std::vector<bool> sight_of(const ViewFrame& frame, const HeightGrid& grid,
   const std::vector<std::uint8_t> seen = posts_that_see_eye(*frame.terrain(), grid,
                                                             {.observer_m = options.observer_m,
                                                              .objects = objects.get(),
-                                                             .threads = options.frame.threads});
+                                                             .threads = options.frame.threads,
+                                                             .plain = options.plain});
   return {seen.begin(), seen.end()};
 }
 
@@ -101,21 +102,33 @@ class ZoneMaker {
 
  private:
   void fill_row(const Directions& directions, int row) {
-    const Terrain& terrain = *first_frame_->terrain();
-    std::vector<glm::dvec2> ground_m;
+    std::vector<int> columns;  // from where an angle is subtended
     for (int column = 0; column < grid_.columns; ++column) {
-      const double height_m = grid_.at(column, row);
-      if (std::isnan(height_m)) continue;
+      if (std::isnan(grid_.at(column, row))) continue;
       const std::size_t post = zone_.index(column, row);
-      const std::vector<std::size_t> seen = seen_from(post);
-      zone_.counts[post] = static_cast<float>(seen.size());
+      const std::size_t seen = seen_from(post).size();
+      zone_.counts[post] = static_cast<float>(seen);
       zone_.angles_rad[post] = 0;
-      if (seen.size() < 2) continue;
-      if (ground_m.empty()) ground_m = ground_of_row(terrain, grid_, row);
-      zone_.angles_rad[post] = static_cast<float>(directions.largest_angle_rad(
-          ground_m[static_cast<std::size_t>(column)],
-          terrain.frame().z_scale * height_m + options_.observer_m, seen));
+      if (seen >= 2) columns.push_back(column);
     }
+    const std::vector<PostPlace> places =
+        places_in_row(*first_frame_->terrain(), grid_, row, columns);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::size_t post = zone_.index(columns[i], row);
+      zone_.angles_rad[post] = static_cast<float>(directions.largest_angle_rad(
+          ground_of(places[i], {columns[i], row}), scene_height_m(post), seen_from(post)));
+    }
+  }
+
+  // In the first target's frame, out of whose sight some posts may be.
+  [[nodiscard]] glm::dvec2 ground_of(const PostPlace& place, glm::dvec2 post) const {
+    return place.map ? place.ground_m
+                     : first_frame_->to_ground_from_projected(zone_.placement.at(post));
+  }
+
+  // Of an observer's eye.
+  [[nodiscard]] double scene_height_m(std::size_t post) const {
+    return first_frame_->terrain()->frame().z_scale * grid_.heights_m[post] + options_.observer_m;
   }
 
   [[nodiscard]] std::vector<std::size_t> seen_from(std::size_t post) const {

@@ -25,6 +25,7 @@ struct ZoneOptions {
   // What hides targets beside the ground, in the view frame of a target; null = nothing.
   std::function<std::shared_ptr<const ObjectSet>(const ViewFrame& frame)> obstacles = {};
   std::function<void(double share)> progress = {};  // called after each target, 0 to 1
+  bool plain = false;  // a ray a post, as PostSightOptions: the same zone, slowly
 };
 
 // On the posts of a DEM, row by row.

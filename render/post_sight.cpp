@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 
@@ -10,66 +9,80 @@
 
 #include "render/parallel.h"
 #include "terrain/occlusion.h"
-#include "terrain/post_ground.h"
+#include "terrain/post_sight_lines.h"
+#include "terrain/sight_sweep.h"
 
 namespace terrview {
 namespace {
 
-// Whether the ground stops each of the rays.
-using Stopped = std::function<void(std::span<const Ray> rays, std::span<std::uint8_t> stopped)>;
-
-// The line of sight from the eye to an observer; nullopt where nothing can lie between.
-std::optional<Ray> line_of_sight(const Terrain& terrain, const HeightGrid& grid,
-                                 glm::dvec2 ground_m, double scene_height_m) {
-  const double away_m = glm::length(ground_m);
-  if (away_m == 0) return std::nullopt;
-  double share = 1;
-  for (const TerrainLayer& layer : terrain.layers()) {
-    if (layer.grid.get() != &grid) continue;
-    const double posts_per_m = glm::length(layer.map->jacobian(ground_m) * (ground_m / away_m));
-    share = std::min(share, 1 - kStep_cells / (posts_per_m * away_m));
-  }
-  if (!(share > 0)) return std::nullopt;
-  const glm::dvec3 observer_m(ground_m, terrain.frame().at(ground_m).z_m(scene_height_m));
-  return Ray{{0, 0, 0}, observer_m, share * glm::length(observer_m)};
-}
-
 bool is_under_ground(const Terrain& terrain) {
-  const auto ground = terrain.ground_at(glm::dvec2(0));
+  const auto ground = terrain.ground_at({0, 0});
   return ground && terrain.frame().eye_height_m < ground->scene_height_m;
 }
 
-class RowOfPosts {
+// Lines of sight to the posts of a row that are still undecided, all sent at once.
+class RowOfLines {
  public:
-  RowOfPosts(const Terrain& terrain, const HeightGrid& grid, const PostSightOptions& options,
+  RowOfLines(const Terrain& terrain, const HeightGrid& grid, const PostSightOptions& options,
              int row)
       : terrain_(terrain), grid_(grid), options_(options), row_(row) {}
 
-  void find(const Stopped& stopped, std::span<std::uint8_t> seen) {
-    gather(seen);
-    std::vector<std::uint8_t> stops(rays_.size());
-    stopped(rays_, stops);
+  void decide(std::span<std::uint8_t> fates) {
+    gather(fates);
+    std::vector<std::uint8_t> stopped(rays_.size());
+    send(stopped);
     for (std::size_t i = 0; i < rays_.size(); ++i)
-      seen[columns_[i]] = stops[i] == 0 && !meets_object(rays_[i]) ? 1 : 0;
+      fates[columns_[i]] = stopped[i] == 0 ? kSeen : kHidden;
   }
 
- private:
-  void gather(std::span<std::uint8_t> seen) {
-    const std::vector<glm::dvec2> ground_m = ground_of_row(terrain_, grid_, row_);
-    for (std::size_t i = 0; i < ground_m.size(); ++i) {
-      const double height_m = grid_.at(static_cast<int>(i), row_);
-      if (std::isnan(height_m) || std::isnan(ground_m[i].x)) continue;
-      const auto ray = line_of_sight(terrain_, grid_, ground_m[i],
-                                     terrain_.frame().z_scale * height_m + options_.observer_m);
-      seen[i] = ray ? 0 : 1;
-      if (!ray) continue;
-      rays_.push_back(*ray);
-      columns_.push_back(i);
+  // The whole way to the observers who see the eye over the ground.
+  void hide_behind_objects(std::span<std::uint8_t> fates) const {
+    const std::vector<int> columns = columns_of(fates, kSeen);
+    const std::vector<PostPlace> places = places_in_row(terrain_, grid_, row_, columns);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const glm::dvec2 ground_m = places[i].ground_m;
+      const glm::dvec3 observer_m(ground_m,
+                                  terrain_.frame().at(ground_m).z_m(eye_height_m(columns[i])));
+      const double length_m = glm::length(observer_m);
+      if (length_m > 0 && options_.objects->stops({{0, 0, 0}, observer_m, length_m}))
+        fates[static_cast<std::size_t>(columns[i])] = kHidden;
     }
   }
 
-  [[nodiscard]] bool meets_object(const Ray& ray) const {
-    return options_.objects && options_.objects->stops(ray);
+ private:
+  [[nodiscard]] std::vector<int> columns_of(std::span<const std::uint8_t> fates,
+                                            std::uint8_t fate) const {
+    std::vector<int> columns;
+    for (int column = 0; column < grid_.columns; ++column)
+      if (fates[static_cast<std::size_t>(column)] == fate) columns.push_back(column);
+    return columns;
+  }
+
+  void gather(std::span<std::uint8_t> fates) {
+    const std::vector<int> columns = columns_of(fates, kUndecided);
+    const std::vector<PostPlace> places = places_in_row(terrain_, grid_, row_, columns);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto at = static_cast<std::size_t>(columns[i]);
+      fates[at] = kHidden;
+      if (std::isnan(grid_.at(columns[i], row_)) || places[i].map == nullptr) continue;
+      const auto ray =
+          line_of_sight(terrain_.frame(), places[i], {columns[i], row_}, eye_height_m(columns[i]));
+      fates[at] = kSeen;
+      if (!ray) continue;
+      rays_.push_back(*ray);
+      columns_.push_back(at);
+    }
+  }
+
+  // Of the observer, in heights of the scene.
+  [[nodiscard]] double eye_height_m(int column) const {
+    return terrain_.frame().z_scale * grid_.at(column, row_) + options_.observer_m;
+  }
+
+  void send(std::span<std::uint8_t> stopped) const {
+    TraceCounts counts;
+    if (!options_.plain) return occluded(terrain_, rays_, stopped, counts);
+    for (std::size_t i = 0; i < rays_.size(); ++i) stopped[i] = terrain_.occluded(rays_[i]) ? 1 : 0;
   }
 
   const Terrain& terrain_;
@@ -77,39 +90,32 @@ class RowOfPosts {
   const PostSightOptions& options_;
   int row_;
   std::vector<Ray> rays_;
-  std::vector<std::size_t> columns_;
+  std::vector<std::size_t> columns_;  // of the rays
 };
 
-std::vector<std::uint8_t> by_rays(const Terrain& terrain, const HeightGrid& grid,
-                                  const PostSightOptions& options, const Stopped& stopped) {
-  const auto columns = static_cast<std::size_t>(grid.columns);
-  std::vector<std::uint8_t> seen(columns * static_cast<std::size_t>(grid.rows), 0);
-  if (is_under_ground(terrain)) return seen;
-  parallel_for(grid.rows, options.threads, [&](int row) {
-    RowOfPosts(terrain, grid, options, row)
-        .find(stopped, std::span(seen).subspan(static_cast<std::size_t>(row) * columns, columns));
-  });
-  return seen;
+// Leaves undecided what bounds leave so.
+void sweep(const Terrain& terrain, const PostSightOptions& options, std::span<std::uint8_t> fates) {
+  const SightSweep sweep(terrain, options.observer_m);
+  for (int side = 0; side < SightSweep::kSides; ++side)
+    parallel_for(SightSweep::kParts, options.threads,
+                 [&](int part) { sweep.run(side, part, fates); });
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> posts_that_see_eye(const Terrain& terrain, const HeightGrid& grid,
                                              const PostSightOptions& options) {
-  return by_rays(terrain, grid, options,
-                 [&terrain](std::span<const Ray> rays, std::span<std::uint8_t> stopped) {
-                   TraceCounts counts;
-                   occluded(terrain, rays, stopped, counts);
-                 });
-}
-
-std::vector<std::uint8_t> posts_that_see_eye_plainly(const Terrain& terrain, const HeightGrid& grid,
-                                                     const PostSightOptions& options) {
-  return by_rays(terrain, grid, options,
-                 [&terrain](std::span<const Ray> rays, std::span<std::uint8_t> stopped) {
-                   for (std::size_t i = 0; i < rays.size(); ++i)
-                     stopped[i] = terrain.occluded(rays[i]) ? 1 : 0;
-                 });
+  if (is_under_ground(terrain)) return std::vector<std::uint8_t>(grid.heights_m.size(), kHidden);
+  std::vector<std::uint8_t> fates(grid.heights_m.size(), kUndecided);
+  if (!options.plain && SightSweep::serves(terrain, grid)) sweep(terrain, options, fates);
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  parallel_for(grid.rows, options.threads, [&](int row) {
+    RowOfLines lines(terrain, grid, options, row);
+    const auto in_row = std::span(fates).subspan(static_cast<std::size_t>(row) * columns, columns);
+    lines.decide(in_row);
+    if (options.objects) lines.hide_behind_objects(in_row);
+  });
+  return fates;
 }
 
 }  // namespace terrview

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
-#include "terrain/post_ground.h"
+#include "terrain/post_sight_lines.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/oracle.h"
 #include "tests/support/random_scene.h"
@@ -55,8 +57,18 @@ void for_random_eyes(std::uint64_t seed, const MakeTerrain& make,
 
 void expect_same_as_plain(const Terrain& terrain, double observer_m) {
   const HeightGrid& grid = first_grid(terrain);
-  EXPECT_EQ(posts_that_see_eye(terrain, grid, {.observer_m = observer_m}),
-            posts_that_see_eye_plainly(terrain, grid, {.observer_m = observer_m}));
+  const Seen seen = posts_that_see_eye(terrain, grid, {.observer_m = observer_m});
+  const Seen plain = posts_that_see_eye(terrain, grid, {.observer_m = observer_m, .plain = true});
+  const auto differs = std::mismatch(seen.begin(), seen.end(), plain.begin()).first;
+  if (differs == seen.end()) return;
+  const auto post = static_cast<int>(differs - seen.begin());
+  const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
+  ADD_FAILURE() << name_of(terrain.model()) << ", post " << post % grid.columns << ' '
+                << post / grid.columns << " of " << grid.columns << " x " << grid.rows
+                << ", eye at " << eye_uv.x << ' ' << eye_uv.y << ", z scale "
+                << terrain.frame().z_scale << ", curvature "
+                << terrain.frame().north_curvature_per_m << ", observer " << observer_m
+                << ", holes " << terrain.has_holes() << ": seen is " << int{*differs};
 }
 
 Terrain special(Random& random, SurfaceModel model) {
@@ -84,7 +96,7 @@ TEST(PostSight, IsTheSameUnderEveryInstructionSet) {
   Random random(6);
   for (int i = 0; i < 5; ++i) {
     const Terrain terrain = raised(random_parabolic_terrain(random, SurfaceModel::hyperboloid), 3);
-    const Seen plain = posts_that_see_eye_plainly(terrain, first_grid(terrain));
+    const Seen plain = posts_that_see_eye(terrain, first_grid(terrain), {.plain = true});
     under_every_instruction_set(
         [&] { EXPECT_EQ(posts_that_see_eye(terrain, first_grid(terrain)), plain); });
   }
@@ -100,8 +112,14 @@ TEST(PostSight, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(posts_that_see_eye(terrain, grid, {.threads = threads}), one);
 }
 
-// How far the line to an observer stays above the ground at the least, up to where it ends; and
-// what of that is rounding.
+std::vector<int> all_columns(const HeightGrid& grid) {
+  std::vector<int> columns(static_cast<std::size_t>(grid.columns));
+  std::iota(columns.begin(), columns.end(), 0);
+  return columns;
+}
+
+// How far the line to an observer stays above the ground at the least, all the way; and the scale
+// of what it is computed from.
 struct Clearance {
   oracle::Real least_m = std::numeric_limits<oracle::Real>::infinity();
   oracle::Real scale_m = 1;
@@ -111,14 +129,10 @@ Clearance clearance(const Terrain& terrain, glm::dvec2 ground_m, double scene_he
   const glm::dvec3 observer_m(
       ground_m,
       static_cast<double>(oracle::z_m(terrain.frame(), ground_m.x, ground_m.y, scene_height_m)));
-  const TerrainLayer& layer = terrain.layers()[0];
-  const double away_m = glm::length(ground_m);
-  const double step_m =
-      kStep_cells / glm::length(layer.map->jacobian(ground_m) * (ground_m / away_m));
-  const Ray ray{{0, 0, 0}, observer_m, glm::length(observer_m) * (1 - step_m / away_m)};
-  const oracle::Profile profile = oracle::profile(terrain, ray);
+  const oracle::Profile profile =
+      oracle::profile(terrain, {{0, 0, 0}, observer_m, glm::length(observer_m)});
   Clearance found;
-  found.scale_m = std::abs(scene_height_m) + terrain.height_bound_m() + away_m;
+  found.scale_m = std::abs(scene_height_m) + terrain.height_bound_m() + glm::length(ground_m);
   for (const oracle::Span& span : profile.spans)
     for (const oracle::Real t : {span.from_t, span.to_t})
       found.least_m = std::min(found.least_m, profile.clearance_m(span, t));
@@ -135,11 +149,11 @@ TEST(PostSight, AgreesWithBruteForceInLongDouble) {
     const double observer_m = 1.6;
     const Seen seen = posts_that_see_eye(terrain, grid, {.observer_m = observer_m});
     for (int row = 0; row < grid.rows; ++row) {
-      const std::vector<glm::dvec2> ground_m = ground_of_row(terrain, grid, row);
+      const std::vector<PostPlace> places = places_in_row(terrain, grid, row, all_columns(grid));
       for (int column = 0; column < grid.columns; ++column) {
         if (std::isnan(grid.at(column, row))) continue;
         const Clearance least =
-            clearance(terrain, ground_m[static_cast<std::size_t>(column)],
+            clearance(terrain, places[static_cast<std::size_t>(column)].ground_m,
                       terrain.frame().z_scale * grid.at(column, row) + observer_m);
         if (std::fabs(least.least_m) < 1e-9L * least.scale_m) continue;
         const bool is_seen = seen[static_cast<std::size_t>(row * grid.columns + column)] != 0;

@@ -1,0 +1,454 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "terrain/sight_sweep.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for every instruction set
+//
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "terrain/eye_tracks.h"
+#include "terrain/sight_edges.h"
+#include "terrain/sight_sweep.h"
+#include "terrain/vertical_math.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace terrview {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::CappedTag<float, SightEdges::kVector>;
+using I = hn::RebindToSigned<F>;
+using VF = hn::Vec<F>;
+using VI = hn::Vec<I>;
+using MF = hn::Mask<F>;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
+HWY_INLINE VI whole(VF x) { return hn::ConvertTo(I(), x); }
+HWY_INLINE VF load(const std::vector<float>& values, std::size_t first) {
+  return hn::LoadU(F(), values.data() + first);
+}
+
+// The wedges of a part of a side, swept outwards.
+class PartSweep {
+ public:
+  PartSweep(const Terrain& terrain, double observer_m, const SightSide& side, int part,
+            std::span<std::uint8_t> fates)
+      : grid_(*terrain.layers()[0].grid),
+        side_(side),
+        part_(part),
+        fates_(fates),
+        across_stride_(side.axis == 0 ? grid_.columns : 1),
+        first_row_(static_cast<float>(-side.base)),
+        last_row_(static_cast<float>(side.rows - 1 - side.base)),
+        has_holes_(terrain.has_holes()),
+        track_margin_(terrain.layers()[0].map->linear() ? 0 : kTrackMargin),
+        z_scale_(static_cast<float>(terrain.frame().z_scale)),
+        eye_height_m_(static_cast<float>(terrain.frame().eye_height_m)),
+        observer_m_(static_cast<float>(observer_m)),
+        half_refraction_(static_cast<float>(terrain.frame().refraction / 2)),
+        height_slack_m_(kRounding * static_cast<float>(terrain.height_bound_m() + observer_m +
+                                                       std::abs(terrain.frame().eye_height_m))),
+        reach_m_(static_cast<float>(terrain.reach_m())),
+        terrain_(terrain),
+        edges_(edges(kFirstWedges, side.ahead(side.first_line()))),
+        lower_(size(), -kInfinity),
+        upper_(size(), -kInfinity) {}
+
+  void run() {
+    double ahead = 0;
+    resize();
+    std::fill(across_.begin(), across_.end(),
+              static_cast<float>(side_.eye[1 - side_.axis] - side_.base));
+    for (int line = side_.first_line(); line >= 0 && line < side_.lines; line += side_.forward) {
+      const double before = ahead;
+      ahead = side_.ahead(line);
+      if (before >= halve_at_ && !halve(before)) return;
+      if (!edges_.advance(ahead)) return;
+      cross(line, static_cast<float>(before), static_cast<float>(ahead));
+    }
+  }
+
+ private:
+  // Wedges of a side at first, and how wide they may become, in posts.
+  static constexpr int kFirstWedges = 8 * SightSweep::kParts;
+  static constexpr double kWidest = 0.5;
+  // Rounding, as a share of what is summed; of places across, as a share of the posts ahead.
+  static constexpr float kRounding = 0x1p-19F;
+  static constexpr float kPlace = 0x1p-21F;
+  static constexpr float kLeastMargin = 2e-4F;
+  // What a track may stray from the line between a line of the grid and the next.
+  static constexpr float kTrackMargin = 2e-3F;
+  // Nearer posts are left to rays.
+  static constexpr float kNearest = 3;
+  // Posts from the eye within which ground above it makes no bound.
+  static constexpr float kAtEye = 0.01F;
+  // Below all ground, so that it can be computed with.
+  static constexpr float kDeep_m = 1e5F;
+
+  // What makes heights at a distance slopes: slope = drop + scale * (above / (1 + curvature h)).
+  struct Slopes {
+    VF drop, scale;
+  };
+  // Bounds from both sides.
+  struct Bounds {
+    VF low, high;
+  };
+  // The heights of the posts about a wedge on a line, and the first of their rows.
+  struct Posts {
+    VF row, first, second, third;
+  };
+
+  [[nodiscard]] std::size_t size() const { return edges_.padded(); }
+  [[nodiscard]] SightEdges edges(int wedges, double ahead) const {
+    const int count = wedges / SightSweep::kParts;
+    return {terrain_, side_, wedges, part_ * count, count + 1, ahead};
+  }
+
+  void resize() {
+    for (std::vector<float>* values : {&across_, &across_before_, &drop_, &scale_})
+      values->resize(size());
+    next_lower_.resize(size());
+    next_upper_.resize(size());
+  }
+
+  // Halves each wedge where the sweep stands.
+  bool halve(double ahead) {
+    wedges_ *= 2;
+    halve_at_ *= 2;
+    edges_ = edges(wedges_, ahead);
+    if (!edges_.advance(ahead)) return false;
+    for (std::vector<float>* bounds : {&lower_, &upper_}) {
+      std::vector<float> halves(size());
+      for (std::size_t i = 0; i < halves.size(); ++i) halves[i] = (*bounds)[i / 2];
+      *bounds = std::move(halves);
+    }
+    resize();
+    place_edges(static_cast<float>(ahead));
+    return true;
+  }
+
+  // Where the edges cross a line so far ahead.
+  void place_edges(float ahead) {
+    for (std::size_t i = 0; i < size(); i += hn::Lanes(F())) {
+      hn::StoreU(load(edges_.across, i) + load(edges_.slope, i) * of(ahead), F(),
+                 across_.data() + i);
+      const VF away = load(edges_.metres, i) + load(edges_.metres_per_post, i) * of(ahead);
+      const Slopes slopes = slopes_at(away, load(edges_.curvature, i));
+      hn::StoreU(slopes.drop, F(), drop_.data() + i);
+      hn::StoreU(slopes.scale, F(), scale_.data() + i);
+    }
+  }
+
+  // By the series of terrain/vertical_math.h, as far as single precision goes.
+  HWY_INLINE Slopes slopes_at(VF away, VF curvature) const {
+    const VF gamma = away * curvature;
+    const VF gamma2 = gamma * gamma;
+    const VF half_tangent = of(static_cast<float>(kHalfTangent[0])) +
+                            gamma2 * (of(static_cast<float>(kHalfTangent[1])) +
+                                      gamma2 * of(static_cast<float>(kHalfTangent[2])));
+    const VF stretch = of(static_cast<float>(kInverseSinc[0])) +
+                       gamma2 * (of(static_cast<float>(kInverseSinc[1])) +
+                                 gamma2 * of(static_cast<float>(kInverseSinc[2])));
+    return {gamma * (of(half_refraction_) - half_tangent), stretch / away};
+  }
+
+  // (h - eye) / (1 + curvature h) of heights of the grid.
+  HWY_INLINE VF lift(VF height, VF above, VF curvature) const {
+    const VF scene_height = of(z_scale_) * height + above;
+    return (scene_height - of(eye_height_m_)) / (of(1) + curvature * scene_height);
+  }
+
+  // Above all rounding, and above what the place of a crossing being off by a `share` of its
+  // distance makes of a slope.
+  HWY_INLINE VF slack(const Slopes& at, VF lift, VF share) const {
+    const VF drop = hn::Abs(at.drop);
+    return share * (drop + at.scale * hn::Abs(lift)) + of(kRounding) * drop +
+           at.scale * of(height_slack_m_);
+  }
+
+  void cross(int line, float before, float ahead) {
+    std::swap(across_, across_before_);
+    place_edges(ahead);
+    line_ = line;
+    before_ = before;
+    ahead_ = ahead;
+    margin_ = kLeastMargin + track_margin_ + kPlace * ahead;
+    for (std::size_t first = 0; first + 1 < edges_.count(); first += hn::Lanes(F()))
+      cross_wedges(first);
+    std::swap(lower_, next_lower_);
+    std::swap(upper_, next_upper_);
+  }
+
+  HWY_INLINE void cross_wedges(std::size_t first) {
+    VF lower = load(lower_, first);
+    VF upper = load(upper_, first);
+    const VF left = load(across_, first);
+    const VF right = load(across_, first + 1);
+    const VF low = left - of(margin_);
+    const VF high = right + of(margin_);
+    const MF outside = hn::Or(high<of(first_row_), low> of(last_row_));
+    if (!hn::AllTrue(F(), outside)) {
+      const Posts posts = posts_from(hn::Floor(low), line_);
+      if (edges_.is_steep()) upper = hn::Max(upper, rows_crossed(first, low, high));
+      decide(first, posts, {lower, upper});
+      if (!edges_.is_steep()) upper = hn::Max(upper, rows_crossed(first, low, high));
+      const Bounds here = line_crossed(first, posts, low, high);
+      lower = hn::IfThenElse(outside, lower, hn::Max(lower, here.low));
+      upper = hn::IfThenElse(outside, upper, hn::Max(upper, here.high));
+    }
+    hn::StoreU(lower, F(), next_lower_.data() + first);
+    hn::StoreU(upper, F(), next_upper_.data() + first);
+  }
+
+  // Rows beyond the grid's edge are taken for the last.
+  HWY_INLINE VF heights(VF row, int line) const {
+    const VF known = hn::Min(hn::Max(row, of(first_row_)), of(last_row_));
+    const int along = side_.axis == 0 ? line : line * grid_.columns;
+    const VI index = (whole(known) + hn::Set(I(), side_.base)) * hn::Set(I(), across_stride_) +
+                     hn::Set(I(), along);
+    return hn::GatherIndex(F(), grid_.heights_m.data(), index);
+  }
+
+  HWY_INLINE Posts posts_from(VF row, int line) const {
+    return {row, heights(row, line), heights(row + of(1), line), heights(row + of(2), line)};
+  }
+
+  // The fates of the posts that lie in wedges on the line.
+  HWY_INLINE void decide(std::size_t first, const Posts& posts, const Bounds& horizon) {
+    if (ahead_ < kNearest) return;
+    const VF left = load(across_, first);
+    const VF right = load(across_, first + 1);
+    const VF row = hn::Ceil(left);
+    const VF lanes = hn::Iota(F(), static_cast<float>(first));
+    const MF real = lanes < of(static_cast<float>(edges_.count() - 1));
+    const MF on_grid = hn::And(row >= of(first_row_), row <= of(last_row_));
+    const MF here = hn::And(hn::And(real, on_grid), row < right);
+    if (hn::AllFalse(F(), here)) return;
+
+    const VF height = hn::IfThenElse(row > posts.row + of(1), posts.third, posts.second);
+    const VF share = (row - left) / (right - left);
+    const Slopes at{mix(drop_, first, share), mix(scale_, first, share)};
+    const VF above = lift(height, of(observer_m_), load(edges_.curvature, first));
+    const VF slope = at.drop + at.scale * above;
+    // Distances are mixed of those of the edges.
+    const VF doubt = slack(at, above, of((0.13F / ahead_ + margin_) / ahead_));
+    // The stretch in the scale is below 1.002.
+    const VF reach = at.scale * of(reach_m_);
+    const MF seen = hn::And(slope - doubt > horizon.high, reach > of(1.002F));
+    const MF hidden = hn::Or(slope + doubt < horizon.low, reach < of(0.9999F));
+    store(row, here, seen, hn::Or(hidden, height != height));
+  }
+
+  HWY_INLINE VF mix(const std::vector<float>& values, std::size_t first, VF share) const {
+    const VF from = load(values, first);
+    return from + share * (load(values, first + 1) - from);
+  }
+
+  HWY_INLINE void store(VF row, MF here, MF seen, MF hidden) {
+    alignas(64) std::array<std::int32_t, SightEdges::kVector> rows;
+    alignas(64) std::array<float, SightEdges::kVector> fates;
+    hn::Store(whole(row), I(), rows.data());
+    const VF undecided = of(kUndecided);
+    const VF fate = hn::IfThenElse(seen, of(kSeen), hn::IfThenElse(hidden, of(kHidden), undecided));
+    hn::Store(hn::IfThenElse(here, fate, undecided), F(), fates.data());
+    for (std::size_t lane = 0; lane < hn::Lanes(F()); ++lane)
+      if (fates[lane] != kUndecided)
+        fates_[post_at(side_.base + rows[lane])] = static_cast<std::uint8_t>(fates[lane]);
+  }
+
+  // The index of a post on the line.
+  [[nodiscard]] std::size_t post_at(int across) const {
+    return static_cast<std::size_t>(side_.axis == 0 ? across * grid_.columns + line_
+                                                    : line_ * grid_.columns + across);
+  }
+
+  // How steeply the ground can be seen where lines of a wedge cross the line of the grid.
+  HWY_INLINE Bounds line_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
+    const VF past = high - posts.row - of(1);  // of the second post
+    const MF has_second = past >= of(0);
+    const Bounds ground = heights_between(posts, low, high, has_second);
+    const VF curvature = load(edges_.curvature, first);
+    Bounds bounds =
+        slope_bounds({load(drop_, first), load(scale_, first)},
+                     {load(drop_, first + 1), load(scale_, first + 1)},
+                     {lift(ground.low, of(0), curvature), lift(ground.high, of(0), curvature)},
+                     of(2 * margin_ / ahead_));
+    if (has_holes_) bounds = beside_holes(first, posts, bounds);
+    const MF wide = past > of(1);
+    const MF partly = hn::Or(low<of(first_row_), high> of(last_row_));
+    return {hn::IfThenElse(hn::Or(wide, partly), of(-kInfinity), bounds.low),
+            hn::IfThenElse(wide, of(kInfinity), bounds.high)};
+  }
+
+  HWY_INLINE Bounds heights_between(const Posts& posts, VF low, VF high, MF has_second) const {
+    const VF rise = posts.second - posts.first;
+    const VF past = high - posts.row - of(1);
+    const VF at_low = posts.first + (low - posts.row) * rise;
+    const VF at_high =
+        posts.second + past * hn::IfThenElse(has_second, posts.third - posts.second, rise);
+    const VF least = hn::Min(at_low, at_high);
+    const VF most = hn::Max(at_low, at_high);
+    return {hn::IfThenElse(has_second, hn::Min(least, posts.second), least),
+            hn::IfThenElse(has_second, hn::Max(most, posts.second), most)};
+  }
+
+  // Beside a hole there may be no ground, and no bound is less than it would be without the hole.
+  HWY_INLINE Bounds beside_holes(std::size_t first, const Posts& here, const Bounds& bounds) const {
+    const Posts before = posts_from(here.row, line_ - side_.forward);
+    const VF sum =
+        here.first + here.second + here.third + before.first + before.second + before.third;
+    const MF whole_ground = sum == sum;  // none is NaN
+    const VF known =
+        hn::Max(or_lowest(here.first), hn::Max(or_lowest(here.second), or_lowest(here.third)));
+    const VF above = lift(known, of(0), load(edges_.curvature, first));
+    const Bounds highest = slope_bounds({load(drop_, first), load(scale_, first)},
+                                        {load(drop_, first + 1), load(scale_, first + 1)},
+                                        {above, above}, of(2 * margin_ / ahead_));
+    return {hn::IfThenElse(whole_ground, bounds.low, of(-kInfinity)),
+            hn::IfThenElse(whole_ground, bounds.high, highest.high)};
+  }
+
+  // NaN becomes a height below all others.
+  static HWY_INLINE VF or_lowest(VF height) {
+    return hn::IfThenElse(height == height, height, of(-kDeep_m));
+  }
+
+  // Of lifts between two, at distances between two.
+  HWY_INLINE Bounds slope_bounds(const Slopes& a, const Slopes& b, const Bounds& lifts,
+                                 VF share) const {
+    const VF low = hn::Min(a.drop, b.drop) + hn::Min(a.scale * lifts.low, b.scale * lifts.low);
+    const VF high = hn::Max(a.drop, b.drop) + hn::Max(a.scale * lifts.high, b.scale * lifts.high);
+    return {low - hn::Max(slack(a, lifts.low, share), slack(b, lifts.low, share)),
+            high + hn::Max(slack(a, lifts.high, share), slack(b, lifts.high, share))};
+  }
+
+  // How steeply the ground can be seen at the most where lines of a wedge cross rows between the
+  // line of the grid before and this one.
+  HWY_INLINE VF rows_crossed(std::size_t first, VF low, VF high) const {
+    const Bounds before{load(across_before_, first) - of(margin_),
+                        load(across_before_, first + 1) + of(margin_)};
+    const VF last = hn::Min(hn::Max(high, before.high), of(last_row_));
+    VF row = hn::Max(hn::Ceil(hn::Min(low, before.low)), of(first_row_));
+    VF highest = of(-kInfinity);
+    while (!hn::AllTrue(F(), row > last)) {
+      const VF slope = row_crossed(first, row, before);
+      highest = hn::IfThenElse(row > last, highest, hn::Max(highest, slope));
+      row = row + of(1);
+    }
+    return highest;
+  }
+
+  HWY_INLINE VF row_crossed(std::size_t first, VF row, const Bounds& before) const {
+    const Bounds part = part_on_row(first, row, before);
+    const VF from_height = heights(row, line_ - side_.forward);
+    const VF rise = heights(row, line_) - from_height;
+    const VF skipped = of(1 - (ahead_ - before_));  // where the eye is between two lines
+    const VF height = hn::Max(from_height + (part.low + skipped) * rise,
+                              from_height + (part.high + skipped) * rise);
+
+    const VF curvature = load(edges_.curvature, first);
+    const VF above = lift(height, of(0), curvature);
+    const Bounds near = distances(first, part.low);
+    const Bounds far = distances(first, part.high);
+    const VF posts_ahead = of(before_ + kLeastMargin) + part.low;
+    const Bounds bounds =
+        slope_bounds(slopes_at(near.low, curvature), slopes_at(far.high, curvature), {above, above},
+                     of(2 * margin_) / posts_ahead);
+    const MF at_eye = hn::And(posts_ahead<of(kAtEye), above> of(0));
+    const VF highest = hn::IfThenElse(at_eye, of(kInfinity), bounds.high);
+    const MF crossed = hn::And(part.low <= part.high, height == height);
+    return hn::IfThenElse(crossed, highest, of(-kInfinity));
+  }
+
+  // From where to where in the step from line to line some line of the wedge is on the row.
+  HWY_INLINE Bounds part_on_row(std::size_t first, VF row, const Bounds& before) const {
+    const VF none = of(0);
+    const VF step = of(ahead_ - before_);
+    const MF low_falls = load(edges_.slope, first) < none;
+    const MF high_rises = load(edges_.slope, first + 1) >= none;
+    const VF by_low = (row - before.low) * load(edges_.inverse_slope, first);
+    const VF by_high = (row - before.high) * load(edges_.inverse_slope, first + 1);
+    return {hn::Max(none, hn::Max(hn::IfThenElse(low_falls, by_low, none),
+                                  hn::IfThenElse(high_rises, by_high, none))),
+            hn::Min(step, hn::Min(hn::IfThenElse(low_falls, step, by_low),
+                                  hn::IfThenElse(high_rises, step, by_high)))};
+  }
+
+  // From the eye to both edges of a wedge, `on` posts beyond the line before.
+  HWY_INLINE Bounds distances(std::size_t first, VF on) const {
+    const VF ahead = hn::Max(of(before_) + on, of(kLeastMargin));
+    const VF a = load(edges_.metres, first) + load(edges_.metres_per_post, first) * ahead;
+    const VF b = load(edges_.metres, first + 1) + load(edges_.metres_per_post, first + 1) * ahead;
+    return {hn::Min(a, b), hn::Max(a, b)};
+  }
+
+  const HeightGrid& grid_;
+  SightSide side_;
+  int part_;
+  std::span<std::uint8_t> fates_;
+  int across_stride_;
+  float first_row_;  // from the side's base
+  float last_row_;
+  bool has_holes_;
+  float track_margin_;
+  float z_scale_;
+  float eye_height_m_;
+  float observer_m_;
+  float half_refraction_;
+  float height_slack_m_;
+  float reach_m_;
+  const Terrain& terrain_;
+
+  int wedges_ = kFirstWedges;  // of the side
+  double halve_at_ = kWidest * kFirstWedges / 2;
+  SightEdges edges_;
+  // Of the wedges: bounds of the horizon.
+  std::vector<float> lower_, upper_, next_lower_, next_upper_;
+  // Of the edges, on this line and the one before.
+  std::vector<float> across_, across_before_, drop_, scale_;
+  int line_ = 0;
+  float before_ = 0;  // posts from the eye to these lines
+  float ahead_ = 0;
+  float margin_ = 0;  // posts that wedges are widened by
+};
+
+void run_part(const Terrain& terrain, double observer_m, const SightSide& side, int part,
+              std::span<std::uint8_t> fates) {
+  PartSweep(terrain, observer_m, side, part, fates).run();
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace terrview
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace terrview {
+
+HWY_EXPORT(run_part);
+
+bool SightSweep::serves(const Terrain& terrain, const HeightGrid& grid) {
+  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
+  const TerrainLayer& layer = terrain.layers()[0];
+  const VerticalFrame& frame = terrain.frame();
+  const double gamma =
+      terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
+  constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
+  return layer.grid.get() == &grid && (layer.map->linear() || layer.map->eye_tracks()) &&
+         gamma * gamma < kSeriesLimit && grid.covers(layer.map->to_grid({0, 0})) &&
+         static_cast<double>(grid.columns) * grid.rows < kMostPosts;
+}
+
+void SightSweep::run(int side, int part, std::span<std::uint8_t> fates) const {
+  HWY_DYNAMIC_DISPATCH(run_part)(terrain_, observer_m_, SightSide(terrain_, side), part, fates);
+}
+
+}  // namespace terrview
+#endif
