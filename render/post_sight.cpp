@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include "render/parallel.h"
-#include "terrain/occlusion.h"
 #include "terrain/post_sight_lines.h"
 #include "terrain/sight_sweep.h"
+#include "terrain/sight_tracer.h"
 
 namespace terrview {
 namespace {
@@ -27,10 +27,16 @@ class RowOfLines {
              int row)
       : terrain_(terrain), grid_(grid), options_(options), row_(row) {}
 
-  void decide(std::span<std::uint8_t> fates) {
+  // By `tracer`, or by single rays where there is none.
+  void decide(const SightTracer* tracer, std::span<std::uint8_t> fates) {
     gather(fates);
     std::vector<std::uint8_t> stopped(rays_.size());
-    send(stopped);
+    if (tracer) {
+      tracer->trace(rays_, stopped);
+    } else {
+      for (std::size_t i = 0; i < rays_.size(); ++i)
+        stopped[i] = terrain_.occluded(rays_[i]) ? 1 : 0;
+    }
     for (std::size_t i = 0; i < rays_.size(); ++i)
       fates[columns_[i]] = stopped[i] == 0 ? kSeen : kHidden;
   }
@@ -79,12 +85,6 @@ class RowOfLines {
     return terrain_.frame().z_scale * grid_.at(column, row_) + options_.observer_m;
   }
 
-  void send(std::span<std::uint8_t> stopped) const {
-    TraceCounts counts;
-    if (!options_.plain) return occluded(terrain_, rays_, stopped, counts);
-    for (std::size_t i = 0; i < rays_.size(); ++i) stopped[i] = terrain_.occluded(rays_[i]) ? 1 : 0;
-  }
-
   const Terrain& terrain_;
   const HeightGrid& grid_;
   const PostSightOptions& options_;
@@ -107,12 +107,16 @@ std::vector<std::uint8_t> posts_that_see_eye(const Terrain& terrain, const Heigh
                                              const PostSightOptions& options) {
   if (is_under_ground(terrain)) return std::vector<std::uint8_t>(grid.heights_m.size(), kHidden);
   std::vector<std::uint8_t> fates(grid.heights_m.size(), kUndecided);
-  if (!options.plain && SightSweep::serves(terrain, grid)) sweep(terrain, options, fates);
+  std::optional<SightTracer> tracer;
+  if (!options.plain) {
+    if (SightSweep::serves(terrain, grid)) sweep(terrain, options, fates);
+    tracer.emplace(terrain);
+  }
   const auto columns = static_cast<std::size_t>(grid.columns);
   parallel_for(grid.rows, options.threads, [&](int row) {
     RowOfLines lines(terrain, grid, options, row);
     const auto in_row = std::span(fates).subspan(static_cast<std::size_t>(row) * columns, columns);
-    lines.decide(in_row);
+    lines.decide(tracer ? &*tracer : nullptr, in_row);
     if (options.objects) lines.hide_behind_objects(in_row);
   });
   return fates;
