@@ -30,15 +30,14 @@ ViewFrame frame_of(const std::vector<Dem>& dems, const std::vector<EyePlace>& ta
 }
 
 // Whether a target is seen, by post.
-std::vector<bool> sight_of(const ViewFrame& frame, const HeightGrid& grid,
-                           const ZoneOptions& options) {
+std::vector<std::uint8_t> sight_of(const ViewFrame& frame, const HeightGrid& grid,
+                                   const ZoneOptions& options) {
   const auto objects = options.obstacles ? options.obstacles(frame) : nullptr;
-  const std::vector<std::uint8_t> seen = posts_that_see_eye(*frame.terrain(), grid,
-                                                            {.observer_m = options.observer_m,
-                                                             .objects = objects.get(),
-                                                             .threads = options.frame.threads,
-                                                             .plain = options.plain});
-  return {seen.begin(), seen.end()};
+  return posts_that_see_eye(*frame.terrain(), grid,
+                            {.observer_m = options.observer_m,
+                             .objects = objects.get(),
+                             .threads = options.frame.threads,
+                             .plain = options.plain});
 }
 
 // Targets and observers in one straight frame, that of the first target.
@@ -79,22 +78,28 @@ class Directions {
 // What is seen by target, and then of it by post.
 class ZoneMaker {
  public:
-  ZoneMaker(const Dem& dem, const ZoneOptions& options) : grid_(*dem.grid), options_(options) {
+  ZoneMaker(const Dem& dem, bool angles, const ZoneOptions& options)
+      : grid_(*dem.grid), options_(options), angles_(angles) {
+    zone_.counts.reserve(grid_.heights_m.size());
     zone_.columns = grid_.columns;
     zone_.rows = grid_.rows;
     zone_.placement = dem.placement;
     zone_.crs_wkt = dem.crs_wkt;
-    zone_.counts.assign(grid_.heights_m.size(), Zone::kNoData);
-    zone_.angles_rad.assign(grid_.heights_m.size(), Zone::kNoData);
+    for (const float height_m : grid_.heights_m)
+      zone_.counts.push_back(std::isnan(height_m) ? Zone::kNoData : 0);
+    zone_.angles_rad = zone_.counts;
   }
 
   void add(ViewFrame frame) {
-    seen_.push_back(sight_of(frame, grid_, options_));
+    const std::vector<std::uint8_t> seen = sight_of(frame, grid_, options_);
+    for (std::size_t post = 0; post < seen.size(); ++post) zone_.counts[post] += seen[post];
+    if (angles_) seen_.emplace_back(seen.begin(), seen.end());
     targets_.push_back(frame.eye());
     if (!first_frame_) first_frame_ = std::move(frame);
   }
 
   Zone result() {
+    if (!angles_) return std::move(zone_);
     const Directions directions(*first_frame_, targets_);
     parallel_for(grid_.rows, options_.frame.threads, [&](int row) { fill_row(directions, row); });
     return std::move(zone_);
@@ -103,14 +108,8 @@ class ZoneMaker {
  private:
   void fill_row(const Directions& directions, int row) {
     std::vector<int> columns;  // from where an angle is subtended
-    for (int column = 0; column < grid_.columns; ++column) {
-      if (std::isnan(grid_.at(column, row))) continue;
-      const std::size_t post = zone_.index(column, row);
-      const std::size_t seen = seen_from(post).size();
-      zone_.counts[post] = static_cast<float>(seen);
-      zone_.angles_rad[post] = 0;
-      if (seen >= 2) columns.push_back(column);
-    }
+    for (int column = 0; column < grid_.columns; ++column)
+      if (zone_.counts[zone_.index(column, row)] >= 2) columns.push_back(column);
     const std::vector<PostPlace> places =
         places_in_row(*first_frame_->terrain(), grid_, row, columns);
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -140,6 +139,7 @@ class ZoneMaker {
 
   const HeightGrid& grid_;
   const ZoneOptions& options_;
+  bool angles_;  // more than one target
   Zone zone_;
   std::vector<std::vector<bool>> seen_;  // by target, then by post
   std::vector<ViewFrame::Eye> targets_;
@@ -167,7 +167,7 @@ Zone visible_zone(const std::vector<Dem>& dems, const std::vector<EyePlace>& tar
     throw InputError("an observer stands on the ground or above it: give a height from 0");
   if (dems.empty()) throw InputError("no DEM: name at least one file");
   const std::vector<Dem> shared = with_ceilings(dems, options.frame);
-  ZoneMaker maker(shared[0], options);
+  ZoneMaker maker(shared[0], targets.size() > 1, options);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     maker.add(frame_of(shared, targets, i, options));
     if (options.progress)

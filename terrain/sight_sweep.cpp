@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,9 +65,7 @@ class PartSweep {
 
   void run() {
     double ahead = 0;
-    resize();
-    std::fill(across_.begin(), across_.end(),
-              static_cast<float>(side_.eye[1 - side_.axis] - side_.base));
+    begin();
     for (int line = side_.first_line(); line >= 0 && line < side_.lines; line += side_.forward) {
       const double before = ahead;
       ahead = side_.ahead(line);
@@ -78,8 +77,8 @@ class PartSweep {
 
  private:
   // Wedges of a side at first, and how wide they may become, in posts.
-  static constexpr int kFirstWedges = 8 * SightSweep::kParts;
-  static constexpr double kWidest = 0.5;
+  static constexpr int kFirstWedges = 32 * SightSweep::kParts;
+  static constexpr double kWidest = 0.9;
   // Rounding, as a share of what is summed; of places across, as a share of the posts ahead.
   static constexpr float kRounding = 0x1p-19F;
   static constexpr float kPlace = 0x1p-21F;
@@ -88,10 +87,13 @@ class PartSweep {
   static constexpr float kTrackMargin = 2e-3F;
   // Nearer posts are left to rays.
   static constexpr float kNearest = 3;
-  // Posts from the eye within which ground above it makes no bound.
-  static constexpr float kAtEye = 0.01F;
+  // 1 / s is off by less than this share over s^2, in posts, where it is mixed over a post; from
+  // kNearest on also where it is over the post before.
+  static constexpr float kBend = 0.4F;
   // Below all ground, so that it can be computed with.
   static constexpr float kDeep_m = 1e5F;
+  // No row of a grid.
+  static constexpr float kNoRow = -1e9F;
 
   // What makes heights at a distance slopes: slope = drop + scale * (above / (1 + curvature h)).
   struct Slopes {
@@ -113,10 +115,17 @@ class PartSweep {
   }
 
   void resize() {
-    for (std::vector<float>* values : {&across_, &across_before_, &drop_, &scale_})
+    for (std::vector<float>* values :
+         {&across_, &across_before_, &drop_, &drop_before_, &scale_, &scale_before_})
       values->resize(size());
-    next_lower_.resize(size());
-    next_upper_.resize(size());
+  }
+
+  // Where all edges are at the eye.
+  void begin() {
+    resize();
+    for (std::vector<float>& posts : posts_before_) posts.assign(size(), kNoRow);
+    std::fill(across_.begin(), across_.end(),
+              static_cast<float>(side_.eye[1 - side_.axis] - side_.base));
   }
 
   // Halves each wedge where the sweep stands.
@@ -125,19 +134,24 @@ class PartSweep {
     halve_at_ *= 2;
     edges_ = edges(wedges_, ahead);
     if (!edges_.advance(ahead)) return false;
-    for (std::vector<float>* bounds : {&lower_, &upper_}) {
-      std::vector<float> halves(size());
-      for (std::size_t i = 0; i < halves.size(); ++i) halves[i] = (*bounds)[i / 2];
-      *bounds = std::move(halves);
-    }
+    inherit(lower_);
+    inherit(upper_);
+    for (std::vector<float>& posts : posts_before_) inherit(posts);
     resize();
     place_edges(static_cast<float>(ahead));
     return true;
   }
 
+  // What is of wedges becomes that of their halves.
+  void inherit(std::vector<float>& values) const {
+    std::vector<float> halves(size());
+    for (std::size_t i = 0; i < halves.size(); ++i) halves[i] = values[i / 2];
+    values = std::move(halves);
+  }
+
   // Where the edges cross a line so far ahead.
   void place_edges(float ahead) {
-    for (std::size_t i = 0; i < size(); i += hn::Lanes(F())) {
+    for (std::size_t i = 0; i < edges_.count(); i += hn::Lanes(F())) {
       hn::StoreU(load(edges_.across, i) + load(edges_.slope, i) * of(ahead), F(),
                  across_.data() + i);
       const VF away = load(edges_.metres, i) + load(edges_.metres_per_post, i) * of(ahead);
@@ -176,36 +190,43 @@ class PartSweep {
 
   void cross(int line, float before, float ahead) {
     std::swap(across_, across_before_);
+    std::swap(drop_, drop_before_);
+    std::swap(scale_, scale_before_);
     place_edges(ahead);
     line_ = line;
     before_ = before;
     ahead_ = ahead;
     margin_ = kLeastMargin + track_margin_ + kPlace * ahead;
+    bend_ = kBend / (ahead * ahead);
     for (std::size_t first = 0; first + 1 < edges_.count(); first += hn::Lanes(F()))
       cross_wedges(first);
-    std::swap(lower_, next_lower_);
-    std::swap(upper_, next_upper_);
   }
 
   HWY_INLINE void cross_wedges(std::size_t first) {
-    VF lower = load(lower_, first);
-    VF upper = load(upper_, first);
-    const VF left = load(across_, first);
-    const VF right = load(across_, first + 1);
-    const VF low = left - of(margin_);
-    const VF high = right + of(margin_);
+    const VF low = load(across_, first) - of(margin_);
+    const VF high = load(across_, first + 1) + of(margin_);
     const MF outside = hn::Or(high<of(first_row_), low> of(last_row_));
-    if (!hn::AllTrue(F(), outside)) {
-      const Posts posts = posts_from(hn::Floor(low), line_);
-      if (edges_.is_steep()) upper = hn::Max(upper, rows_crossed(first, low, high));
-      decide(first, posts, {lower, upper});
-      if (!edges_.is_steep()) upper = hn::Max(upper, rows_crossed(first, low, high));
-      const Bounds here = line_crossed(first, posts, low, high);
-      lower = hn::IfThenElse(outside, lower, hn::Max(lower, here.low));
-      upper = hn::IfThenElse(outside, upper, hn::Max(upper, here.high));
-    }
-    hn::StoreU(lower, F(), next_lower_.data() + first);
-    hn::StoreU(upper, F(), next_upper_.data() + first);
+    if (hn::AllTrue(F(), outside)) return remember(first, {of(kNoRow), low, low, low});
+    const Posts posts = posts_from(hn::Floor(low), line_);
+    const VF lower = load(lower_, first);
+    VF upper = load(upper_, first);
+    if (!edges_.is_steep()) decide(first, posts, {lower, upper});
+    upper = hn::Max(upper, rows_crossed(first, posts, low, high));
+    if (edges_.is_steep()) decide(first, posts, {lower, upper});
+    const Bounds here = line_crossed(first, posts, low, high);
+    hn::StoreU(hn::IfThenElse(outside, lower, hn::Max(lower, here.low)), F(),
+               lower_.data() + first);
+    hn::StoreU(hn::IfThenElse(outside, upper, hn::Max(upper, here.high)), F(),
+               upper_.data() + first);
+    remember(first, posts);
+  }
+
+  // For the next line.
+  HWY_INLINE void remember(std::size_t first, const Posts& posts) {
+    hn::StoreU(posts.row, F(), posts_before_[0].data() + first);
+    hn::StoreU(posts.first, F(), posts_before_[1].data() + first);
+    hn::StoreU(posts.second, F(), posts_before_[2].data() + first);
+    hn::StoreU(posts.third, F(), posts_before_[3].data() + first);
   }
 
   // Rows beyond the grid's edge are taken for the last.
@@ -219,6 +240,15 @@ class PartSweep {
 
   HWY_INLINE Posts posts_from(VF row, int line) const {
     return {row, heights(row, line), heights(row + of(1), line), heights(row + of(2), line)};
+  }
+
+  // The height of a row's post on a line where `met`, most often one of `posts`.
+  HWY_INLINE VF height_in(const Posts& posts, VF row, MF met, int line) const {
+    const VF past = row - posts.row;
+    const MF beside = hn::Or(past<of(0), past> of(2));
+    if (!hn::AllFalse(F(), hn::And(met, beside))) return heights(row, line);
+    return hn::IfThenElse(past < of(1), posts.first,
+                          hn::IfThenElse(past < of(2), posts.second, posts.third));
   }
 
   // The fates of the posts that lie in wedges on the line.
@@ -238,8 +268,7 @@ class PartSweep {
     const Slopes at{mix(drop_, first, share), mix(scale_, first, share)};
     const VF above = lift(height, of(observer_m_), load(edges_.curvature, first));
     const VF slope = at.drop + at.scale * above;
-    // Distances are mixed of those of the edges.
-    const VF doubt = slack(at, above, of((0.13F / ahead_ + margin_) / ahead_));
+    const VF doubt = slack(at, above, of(margin_ / ahead_ + bend_));
     // The stretch in the scale is below 1.002.
     const VF reach = at.scale * of(reach_m_);
     const MF seen = hn::And(slope - doubt > horizon.high, reach > of(1.002F));
@@ -254,14 +283,20 @@ class PartSweep {
 
   HWY_INLINE void store(VF row, MF here, MF seen, MF hidden) {
     alignas(64) std::array<std::int32_t, SightEdges::kVector> rows;
-    alignas(64) std::array<float, SightEdges::kVector> fates;
     hn::Store(whole(row), I(), rows.data());
-    const VF undecided = of(kUndecided);
-    const VF fate = hn::IfThenElse(seen, of(kSeen), hn::IfThenElse(hidden, of(kHidden), undecided));
-    hn::Store(hn::IfThenElse(here, fate, undecided), F(), fates.data());
-    for (std::size_t lane = 0; lane < hn::Lanes(F()); ++lane)
-      if (fates[lane] != kUndecided)
-        fates_[post_at(side_.base + rows[lane])] = static_cast<std::uint8_t>(fates[lane]);
+    const std::uint32_t seen_bits = bits_of(seen);
+    std::uint32_t decided = bits_of(hn::And(here, hn::Or(seen, hidden)));
+    for (; decided != 0; decided &= decided - 1) {
+      const int lane = std::countr_zero(decided);
+      fates_[post_at(side_.base + rows[static_cast<std::size_t>(lane)])] =
+          (seen_bits >> lane & 1U) != 0 ? kSeen : kHidden;
+    }
+  }
+
+  static HWY_INLINE std::uint32_t bits_of(MF mask) {
+    std::array<std::uint8_t, 8> bytes{};
+    hn::StoreMaskBits(F(), mask, bytes.data());
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U;
   }
 
   // The index of a post on the line.
@@ -326,46 +361,69 @@ class PartSweep {
                                  VF share) const {
     const VF low = hn::Min(a.drop, b.drop) + hn::Min(a.scale * lifts.low, b.scale * lifts.low);
     const VF high = hn::Max(a.drop, b.drop) + hn::Max(a.scale * lifts.high, b.scale * lifts.high);
-    return {low - hn::Max(slack(a, lifts.low, share), slack(b, lifts.low, share)),
-            high + hn::Max(slack(a, lifts.high, share), slack(b, lifts.high, share))};
+    const VF doubt = slack({hn::Min(a.drop, b.drop), hn::Max(a.scale, b.scale)},
+                           hn::Max(hn::Abs(lifts.low), hn::Abs(lifts.high)), share);
+    return {low - doubt, high + doubt};
   }
 
   // How steeply the ground can be seen at the most where lines of a wedge cross rows between the
   // line of the grid before and this one.
-  HWY_INLINE VF rows_crossed(std::size_t first, VF low, VF high) const {
+  HWY_INLINE VF rows_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
     const Bounds before{load(across_before_, first) - of(margin_),
                         load(across_before_, first + 1) + of(margin_)};
     const VF last = hn::Min(hn::Max(high, before.high), of(last_row_));
     VF row = hn::Max(hn::Ceil(hn::Min(low, before.low)), of(first_row_));
     VF highest = of(-kInfinity);
-    while (!hn::AllTrue(F(), row > last)) {
-      const VF slope = row_crossed(first, row, before);
-      highest = hn::IfThenElse(row > last, highest, hn::Max(highest, slope));
+    for (MF met = row <= last; !hn::AllFalse(F(), met); met = row <= last) {
+      const VF slope = row_crossed(first, posts, row, met, before);
+      highest = hn::IfThenElse(met, hn::Max(highest, slope), highest);
       row = row + of(1);
     }
     return highest;
   }
 
-  HWY_INLINE VF row_crossed(std::size_t first, VF row, const Bounds& before) const {
+  // Where `met`.
+  HWY_INLINE VF row_crossed(std::size_t first, const Posts& posts, VF row, MF met,
+                            const Bounds& before) const {
     const Bounds part = part_on_row(first, row, before);
-    const VF from_height = heights(row, line_ - side_.forward);
-    const VF rise = heights(row, line_) - from_height;
+    const Posts posts_before{load(posts_before_[0], first), load(posts_before_[1], first),
+                             load(posts_before_[2], first), load(posts_before_[3], first)};
+    const VF from_height = height_in(posts_before, row, met, line_ - side_.forward);
+    const VF rise = height_in(posts, row, met, line_) - from_height;
     const VF skipped = of(1 - (ahead_ - before_));  // where the eye is between two lines
     const VF height = hn::Max(from_height + (part.low + skipped) * rise,
                               from_height + (part.high + skipped) * rise);
 
-    const VF curvature = load(edges_.curvature, first);
-    const VF above = lift(height, of(0), curvature);
-    const Bounds near = distances(first, part.low);
-    const Bounds far = distances(first, part.high);
-    const VF posts_ahead = of(before_ + kLeastMargin) + part.low;
-    const Bounds bounds =
-        slope_bounds(slopes_at(near.low, curvature), slopes_at(far.high, curvature), {above, above},
-                     of(2 * margin_) / posts_ahead);
-    const MF at_eye = hn::And(posts_ahead<of(kAtEye), above> of(0));
-    const VF highest = hn::IfThenElse(at_eye, of(kInfinity), bounds.high);
+    const VF above = lift(height, of(0), load(edges_.curvature, first));
+    const Bounds bounds = slope_bounds(slopes_from(first, part.low), slopes_to(first, part.high),
+                                       {above, above}, of(2 * margin_ / ahead_ + bend_));
     const MF crossed = hn::And(part.low <= part.high, height == height);
-    return hn::IfThenElse(crossed, highest, of(-kInfinity));
+    return hn::IfThenElse(crossed, bounds.high, of(-kInfinity));
+  }
+
+  // At most those of a wedge from a place `on` posts beyond the line before: distances grow, and
+  // their inverses are convex.
+  HWY_INLINE Slopes slopes_from(std::size_t first, VF on) const {
+    const VF scale = hn::Max(load(scale_, first), load(scale_, first + 1));
+    const VF drop = hn::Max(load(drop_, first), load(drop_, first + 1));
+    const VF share = on * of(1 / (ahead_ - before_));
+    if (before_ == 0) return {share * drop, scale / hn::Max(share, of(kLeastMargin))};
+    const VF scale_before = hn::Max(load(scale_before_, first), load(scale_before_, first + 1));
+    const VF drop_before = hn::Max(load(drop_before_, first), load(drop_before_, first + 1));
+    return {drop_before + share * (drop - drop_before),
+            scale_before + share * (scale - scale_before)};
+  }
+
+  // At least those of a wedge up to there, but for `bend_`.
+  HWY_INLINE Slopes slopes_to(std::size_t first, VF on) const {
+    const VF scale = hn::Min(load(scale_, first), load(scale_, first + 1));
+    const VF drop = hn::Min(load(drop_, first), load(drop_, first + 1));
+    if (before_ < kNearest) return {drop, scale};
+    const VF share = on * of(1 / (ahead_ - before_));
+    const VF scale_before = hn::Min(load(scale_before_, first), load(scale_before_, first + 1));
+    const VF drop_before = hn::Min(load(drop_before_, first), load(drop_before_, first + 1));
+    return {drop_before + share * (drop - drop_before),
+            scale_before + share * (scale - scale_before)};
   }
 
   // From where to where in the step from line to line some line of the wedge is on the row.
@@ -380,14 +438,6 @@ class PartSweep {
                                   hn::IfThenElse(high_rises, by_high, none))),
             hn::Min(step, hn::Min(hn::IfThenElse(low_falls, step, by_low),
                                   hn::IfThenElse(high_rises, step, by_high)))};
-  }
-
-  // From the eye to both edges of a wedge, `on` posts beyond the line before.
-  HWY_INLINE Bounds distances(std::size_t first, VF on) const {
-    const VF ahead = hn::Max(of(before_) + on, of(kLeastMargin));
-    const VF a = load(edges_.metres, first) + load(edges_.metres_per_post, first) * ahead;
-    const VF b = load(edges_.metres, first + 1) + load(edges_.metres_per_post, first + 1) * ahead;
-    return {hn::Min(a, b), hn::Max(a, b)};
   }
 
   const HeightGrid& grid_;
@@ -411,13 +461,15 @@ class PartSweep {
   double halve_at_ = kWidest * kFirstWedges / 2;
   SightEdges edges_;
   // Of the wedges: bounds of the horizon.
-  std::vector<float> lower_, upper_, next_lower_, next_upper_;
+  std::vector<float> lower_, upper_;
+  std::array<std::vector<float>, 4> posts_before_;  // on the line before, as Posts
   // Of the edges, on this line and the one before.
-  std::vector<float> across_, across_before_, drop_, scale_;
+  std::vector<float> across_, across_before_, drop_, drop_before_, scale_, scale_before_;
   int line_ = 0;
   float before_ = 0;  // posts from the eye to these lines
   float ahead_ = 0;
   float margin_ = 0;  // posts that wedges are widened by
+  float bend_ = 0;    // what mixing slopes across a wedge, or from line to line, may be off
 };
 
 void run_part(const Terrain& terrain, double observer_m, const SightSide& side, int part,

@@ -29,7 +29,7 @@ inline constexpr std::uint8_t kUndecided = 2;
 class SightSweep {
  public:
   static constexpr int kSides = 4;
-  static constexpr int kParts = 16;  // of a side
+  static constexpr int kParts = 64;  // of a side
 
   // Whether there is a sweep: one layer, of `grid`, under an affine map or one with EyeTracks, the
   // hyperboloid surface, a reach under 640 km, and the eye within the grid, not under its ground.
