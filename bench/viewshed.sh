@@ -60,7 +60,7 @@ compare() {
   fi
 }
 
-echo "$(date +%F), $(nproc) cores, load $(cut -d' ' -f1 /proc/loadavg), $(gdalinfo --version | cut -d, -f1)$(command -v grass >/dev/null && echo ", GRASS $(grass --version | awk 'NR == 1 { print $3 }')")"
+echo "$(date +%F), $(nproc) cores, load $(cut -d' ' -f1 /proc/loadavg), $(gdalinfo --version | cut -d, -f1)$(command -v grass >/dev/null && grass --version 2>&1 | awk 'NR == 1 { print ", GRASS", $3 }')"
 "$build/terrview" synth --levels 10 --h 0.9 --size 4096x4096 --spacing 14.6484375 --south-west 470000,5200000 \
   --a-srs EPSG:32632 --height 300 --base 1000 --co COMPRESS=NONE -q -o "$folder/synthetic.tif"
 compare 'synthetic, 4096 x 4096, 14.6 m' "$folder/synthetic.tif" 500000 5230000 60 1.6

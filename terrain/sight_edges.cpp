@@ -14,8 +14,9 @@
 namespace terrview {
 namespace {
 
-// An edge steeper than this is not followed.
+// An edge steeper than this, or one that turns by more from piece to piece, is not followed.
 constexpr double kSteepest = 1.25;
+constexpr double kSharpest = 4 * SightEdges::kTurn;
 
 // The piece on which a distance lies, and where it ends.
 TrackPiece piece_from(const GroundMap& map, glm::dvec2 direction, double from_m) {
@@ -95,6 +96,7 @@ bool SightEdges::load(std::size_t edge, double to_ahead) {
     const double rate = side_.forward * piece.rate[axis];
     const double rise = piece.rate[1 - axis] / rate;
     if (!(rate > 0) || !(std::abs(rise) <= kSteepest)) return false;
+    if (piece_end_m_[edge] > 0 && std::abs(rise - slope[edge]) > kSharpest) return false;
     const double begin = side_.forward * (piece.start[axis] - side_.eye[axis]);
     piece_end_m_[edge] = piece.end_m;
     piece_end_[edge] = begin + rate * (piece.end_m - piece.begin_m);

@@ -46,6 +46,10 @@ class SightEdges {
   // Whether lines may cross more rows than lines of the side.
   [[nodiscard]] bool is_steep() const { return is_steep_; }
 
+  // An edge strays no more posts than this from the straight line between a line of the grid and
+  // the next, where a knot of its track lies between.
+  static constexpr double kTurn = 0.004;
+
   static constexpr std::size_t kVector = 16;  // elements of the longest vector
   std::vector<float> across, slope, inverse_slope, metres, metres_per_post;
   std::vector<float> curvature;  // per metre, of the Earth towards the edge

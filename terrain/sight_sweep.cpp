@@ -15,24 +15,16 @@
 
 #include "terrain/eye_tracks.h"
 #include "terrain/sight_edges.h"
+#include "terrain/sight_posts-inl.h"
+#include "terrain/sight_slopes-inl.h"
 #include "terrain/sight_sweep.h"
 #include "terrain/vertical_math.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::CappedTag<float, SightEdges::kVector>;
-using I = hn::RebindToSigned<F>;
-using VF = hn::Vec<F>;
-using VI = hn::Vec<I>;
-using MF = hn::Mask<F>;
-
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
-HWY_INLINE VI whole(VF x) { return hn::ConvertTo(I(), x); }
 HWY_INLINE VF load(const std::vector<float>& values, std::size_t first) {
   return hn::LoadU(F(), values.data() + first);
 }
@@ -46,17 +38,12 @@ class PartSweep {
         side_(side),
         part_(part),
         fates_(fates),
-        across_stride_(side.axis == 0 ? grid_.columns : 1),
-        first_row_(static_cast<float>(-side.base)),
-        last_row_(static_cast<float>(side.rows - 1 - side.base)),
+        slopes_(terrain, observer_m),
+        ground_(grid_, side),
         has_holes_(terrain.has_holes()),
-        track_margin_(terrain.layers()[0].map->linear() ? 0 : kTrackMargin),
-        z_scale_(static_cast<float>(terrain.frame().z_scale)),
-        eye_height_m_(static_cast<float>(terrain.frame().eye_height_m)),
+        track_margin_(terrain.layers()[0].map->linear() ? 0
+                                                        : static_cast<float>(SightEdges::kTurn)),
         observer_m_(static_cast<float>(observer_m)),
-        half_refraction_(static_cast<float>(terrain.frame().refraction / 2)),
-        height_slack_m_(kRounding * static_cast<float>(terrain.height_bound_m() + observer_m +
-                                                       std::abs(terrain.frame().eye_height_m))),
         reach_m_(static_cast<float>(terrain.reach_m())),
         terrain_(terrain),
         edges_(edges(kFirstWedges, side.ahead(side.first_line()))),
@@ -79,34 +66,16 @@ class PartSweep {
   // Wedges of a side at first, and how wide they may become, in posts.
   static constexpr int kFirstWedges = 32 * SightSweep::kParts;
   static constexpr double kWidest = 0.9;
-  // Rounding, as a share of what is summed; of places across, as a share of the posts ahead.
-  static constexpr float kRounding = 0x1p-19F;
+  // Rounding of places across, as a share of the posts ahead.
   static constexpr float kPlace = 0x1p-21F;
   static constexpr float kLeastMargin = 2e-4F;
-  // What a track may stray from the line between a line of the grid and the next.
-  static constexpr float kTrackMargin = 2e-3F;
   // Nearer posts are left to rays.
   static constexpr float kNearest = 3;
   // 1 / s is off by less than this share over s^2, in posts, where it is mixed over a post; from
   // kNearest on also where it is over the post before.
   static constexpr float kBend = 0.4F;
-  // Below all ground, so that it can be computed with.
-  static constexpr float kDeep_m = 1e5F;
   // No row of a grid.
   static constexpr float kNoRow = -1e9F;
-
-  // What makes heights at a distance slopes: slope = drop + scale * (above / (1 + curvature h)).
-  struct Slopes {
-    VF drop, scale;
-  };
-  // Bounds from both sides.
-  struct Bounds {
-    VF low, high;
-  };
-  // The heights of the posts about a wedge on a line, and the first of their rows.
-  struct Posts {
-    VF row, first, second, third;
-  };
 
   [[nodiscard]] std::size_t size() const { return edges_.padded(); }
   [[nodiscard]] SightEdges edges(int wedges, double ahead) const {
@@ -155,37 +124,10 @@ class PartSweep {
       hn::StoreU(load(edges_.across, i) + load(edges_.slope, i) * of(ahead), F(),
                  across_.data() + i);
       const VF away = load(edges_.metres, i) + load(edges_.metres_per_post, i) * of(ahead);
-      const Slopes slopes = slopes_at(away, load(edges_.curvature, i));
+      const Slopes slopes = slopes_.at(away, load(edges_.curvature, i));
       hn::StoreU(slopes.drop, F(), drop_.data() + i);
       hn::StoreU(slopes.scale, F(), scale_.data() + i);
     }
-  }
-
-  // By the series of terrain/vertical_math.h, as far as single precision goes.
-  HWY_INLINE Slopes slopes_at(VF away, VF curvature) const {
-    const VF gamma = away * curvature;
-    const VF gamma2 = gamma * gamma;
-    const VF half_tangent = of(static_cast<float>(kHalfTangent[0])) +
-                            gamma2 * (of(static_cast<float>(kHalfTangent[1])) +
-                                      gamma2 * of(static_cast<float>(kHalfTangent[2])));
-    const VF stretch = of(static_cast<float>(kInverseSinc[0])) +
-                       gamma2 * (of(static_cast<float>(kInverseSinc[1])) +
-                                 gamma2 * of(static_cast<float>(kInverseSinc[2])));
-    return {gamma * (of(half_refraction_) - half_tangent), stretch / away};
-  }
-
-  // (h - eye) / (1 + curvature h) of heights of the grid.
-  HWY_INLINE VF lift(VF height, VF above, VF curvature) const {
-    const VF scene_height = of(z_scale_) * height + above;
-    return (scene_height - of(eye_height_m_)) / (of(1) + curvature * scene_height);
-  }
-
-  // Above all rounding, and above what the place of a crossing being off by a `share` of its
-  // distance makes of a slope.
-  HWY_INLINE VF slack(const Slopes& at, VF lift, VF share) const {
-    const VF drop = hn::Abs(at.drop);
-    return share * (drop + at.scale * hn::Abs(lift)) + of(kRounding) * drop +
-           at.scale * of(height_slack_m_);
   }
 
   void cross(int line, float before, float ahead) {
@@ -205,9 +147,9 @@ class PartSweep {
   HWY_INLINE void cross_wedges(std::size_t first) {
     const VF low = load(across_, first) - of(margin_);
     const VF high = load(across_, first + 1) + of(margin_);
-    const MF outside = hn::Or(high<of(first_row_), low> of(last_row_));
+    const MF outside = hn::Or(high<ground_.first_row(), low> ground_.last_row());
     if (hn::AllTrue(F(), outside)) return remember(first, {of(kNoRow), low, low, low});
-    const Posts posts = posts_from(hn::Floor(low), line_);
+    const Posts posts = ground_.from(hn::Floor(low), line_);
     const VF lower = load(lower_, first);
     VF upper = load(upper_, first);
     if (!edges_.is_steep()) decide(first, posts, {lower, upper});
@@ -229,28 +171,6 @@ class PartSweep {
     hn::StoreU(posts.third, F(), posts_before_[3].data() + first);
   }
 
-  // Rows beyond the grid's edge are taken for the last.
-  HWY_INLINE VF heights(VF row, int line) const {
-    const VF known = hn::Min(hn::Max(row, of(first_row_)), of(last_row_));
-    const int along = side_.axis == 0 ? line : line * grid_.columns;
-    const VI index = (whole(known) + hn::Set(I(), side_.base)) * hn::Set(I(), across_stride_) +
-                     hn::Set(I(), along);
-    return hn::GatherIndex(F(), grid_.heights_m.data(), index);
-  }
-
-  HWY_INLINE Posts posts_from(VF row, int line) const {
-    return {row, heights(row, line), heights(row + of(1), line), heights(row + of(2), line)};
-  }
-
-  // The height of a row's post on a line where `met`, most often one of `posts`.
-  HWY_INLINE VF height_in(const Posts& posts, VF row, MF met, int line) const {
-    const VF past = row - posts.row;
-    const MF beside = hn::Or(past<of(0), past> of(2));
-    if (!hn::AllFalse(F(), hn::And(met, beside))) return heights(row, line);
-    return hn::IfThenElse(past < of(1), posts.first,
-                          hn::IfThenElse(past < of(2), posts.second, posts.third));
-  }
-
   // The fates of the posts that lie in wedges on the line.
   HWY_INLINE void decide(std::size_t first, const Posts& posts, const Bounds& horizon) {
     if (ahead_ < kNearest) return;
@@ -259,16 +179,16 @@ class PartSweep {
     const VF row = hn::Ceil(left);
     const VF lanes = hn::Iota(F(), static_cast<float>(first));
     const MF real = lanes < of(static_cast<float>(edges_.count() - 1));
-    const MF on_grid = hn::And(row >= of(first_row_), row <= of(last_row_));
+    const MF on_grid = hn::And(row >= ground_.first_row(), row <= ground_.last_row());
     const MF here = hn::And(hn::And(real, on_grid), row < right);
     if (hn::AllFalse(F(), here)) return;
 
     const VF height = hn::IfThenElse(row > posts.row + of(1), posts.third, posts.second);
     const VF share = (row - left) / (right - left);
     const Slopes at{mix(drop_, first, share), mix(scale_, first, share)};
-    const VF above = lift(height, of(observer_m_), load(edges_.curvature, first));
+    const VF above = slopes_.lift(height, of(observer_m_), load(edges_.curvature, first));
     const VF slope = at.drop + at.scale * above;
-    const VF doubt = slack(at, above, of(margin_ / ahead_ + bend_));
+    const VF doubt = slopes_.slack(at, above, of(margin_ / ahead_ + bend_));
     // The stretch in the scale is below 1.002.
     const VF reach = at.scale * of(reach_m_);
     const MF seen = hn::And(slope - doubt > horizon.high, reach > of(1.002F));
@@ -288,7 +208,7 @@ class PartSweep {
     std::uint32_t decided = bits_of(hn::And(here, hn::Or(seen, hidden)));
     for (; decided != 0; decided &= decided - 1) {
       const int lane = std::countr_zero(decided);
-      fates_[post_at(side_.base + rows[static_cast<std::size_t>(lane)])] =
+      fates_[ground_.index(rows[static_cast<std::size_t>(lane)], line_)] =
           (seen_bits >> lane & 1U) != 0 ? kSeen : kHidden;
     }
   }
@@ -299,71 +219,34 @@ class PartSweep {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U;
   }
 
-  // The index of a post on the line.
-  [[nodiscard]] std::size_t post_at(int across) const {
-    return static_cast<std::size_t>(side_.axis == 0 ? across * grid_.columns + line_
-                                                    : line_ * grid_.columns + across);
-  }
-
   // How steeply the ground can be seen where lines of a wedge cross the line of the grid.
   HWY_INLINE Bounds line_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
     const VF past = high - posts.row - of(1);  // of the second post
     const MF has_second = past >= of(0);
-    const Bounds ground = heights_between(posts, low, high, has_second);
+    const Bounds ground = posts.between(low, high, has_second);
     const VF curvature = load(edges_.curvature, first);
-    Bounds bounds =
-        slope_bounds({load(drop_, first), load(scale_, first)},
-                     {load(drop_, first + 1), load(scale_, first + 1)},
-                     {lift(ground.low, of(0), curvature), lift(ground.high, of(0), curvature)},
-                     of(2 * margin_ / ahead_));
+    Bounds bounds = slopes_.between(
+        {load(drop_, first), load(scale_, first)},
+        {load(drop_, first + 1), load(scale_, first + 1)},
+        {slopes_.lift(ground.low, of(0), curvature), slopes_.lift(ground.high, of(0), curvature)},
+        of(2 * margin_ / ahead_));
     if (has_holes_) bounds = beside_holes(first, posts, bounds);
     const MF wide = past > of(1);
-    const MF partly = hn::Or(low<of(first_row_), high> of(last_row_));
+    const MF partly = hn::Or(low<ground_.first_row(), high> ground_.last_row());
     return {hn::IfThenElse(hn::Or(wide, partly), of(-kInfinity), bounds.low),
             hn::IfThenElse(wide, of(kInfinity), bounds.high)};
   }
 
-  HWY_INLINE Bounds heights_between(const Posts& posts, VF low, VF high, MF has_second) const {
-    const VF rise = posts.second - posts.first;
-    const VF past = high - posts.row - of(1);
-    const VF at_low = posts.first + (low - posts.row) * rise;
-    const VF at_high =
-        posts.second + past * hn::IfThenElse(has_second, posts.third - posts.second, rise);
-    const VF least = hn::Min(at_low, at_high);
-    const VF most = hn::Max(at_low, at_high);
-    return {hn::IfThenElse(has_second, hn::Min(least, posts.second), least),
-            hn::IfThenElse(has_second, hn::Max(most, posts.second), most)};
-  }
-
   // Beside a hole there may be no ground, and no bound is less than it would be without the hole.
   HWY_INLINE Bounds beside_holes(std::size_t first, const Posts& here, const Bounds& bounds) const {
-    const Posts before = posts_from(here.row, line_ - side_.forward);
-    const VF sum =
-        here.first + here.second + here.third + before.first + before.second + before.third;
-    const MF whole_ground = sum == sum;  // none is NaN
-    const VF known =
-        hn::Max(or_lowest(here.first), hn::Max(or_lowest(here.second), or_lowest(here.third)));
-    const VF above = lift(known, of(0), load(edges_.curvature, first));
-    const Bounds highest = slope_bounds({load(drop_, first), load(scale_, first)},
-                                        {load(drop_, first + 1), load(scale_, first + 1)},
-                                        {above, above}, of(2 * margin_ / ahead_));
+    const Posts before = ground_.from(here.row, line_ - side_.forward);
+    const MF whole_ground = hn::And(here.are_known(), before.are_known());
+    const VF above = slopes_.lift(here.highest(), of(0), load(edges_.curvature, first));
+    const Bounds highest = slopes_.between({load(drop_, first), load(scale_, first)},
+                                           {load(drop_, first + 1), load(scale_, first + 1)},
+                                           {above, above}, of(2 * margin_ / ahead_));
     return {hn::IfThenElse(whole_ground, bounds.low, of(-kInfinity)),
             hn::IfThenElse(whole_ground, bounds.high, highest.high)};
-  }
-
-  // NaN becomes a height below all others.
-  static HWY_INLINE VF or_lowest(VF height) {
-    return hn::IfThenElse(height == height, height, of(-kDeep_m));
-  }
-
-  // Of lifts between two, at distances between two.
-  HWY_INLINE Bounds slope_bounds(const Slopes& a, const Slopes& b, const Bounds& lifts,
-                                 VF share) const {
-    const VF low = hn::Min(a.drop, b.drop) + hn::Min(a.scale * lifts.low, b.scale * lifts.low);
-    const VF high = hn::Max(a.drop, b.drop) + hn::Max(a.scale * lifts.high, b.scale * lifts.high);
-    const VF doubt = slack({hn::Min(a.drop, b.drop), hn::Max(a.scale, b.scale)},
-                           hn::Max(hn::Abs(lifts.low), hn::Abs(lifts.high)), share);
-    return {low - doubt, high + doubt};
   }
 
   // How steeply the ground can be seen at the most where lines of a wedge cross rows between the
@@ -371,8 +254,8 @@ class PartSweep {
   HWY_INLINE VF rows_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
     const Bounds before{load(across_before_, first) - of(margin_),
                         load(across_before_, first + 1) + of(margin_)};
-    const VF last = hn::Min(hn::Max(high, before.high), of(last_row_));
-    VF row = hn::Max(hn::Ceil(hn::Min(low, before.low)), of(first_row_));
+    const VF last = hn::Min(hn::Max(high, before.high), ground_.last_row());
+    VF row = hn::Max(hn::Ceil(hn::Min(low, before.low)), ground_.first_row());
     VF highest = of(-kInfinity);
     for (MF met = row <= last; !hn::AllFalse(F(), met); met = row <= last) {
       const VF slope = row_crossed(first, posts, row, met, before);
@@ -388,15 +271,15 @@ class PartSweep {
     const Bounds part = part_on_row(first, row, before);
     const Posts posts_before{load(posts_before_[0], first), load(posts_before_[1], first),
                              load(posts_before_[2], first), load(posts_before_[3], first)};
-    const VF from_height = height_in(posts_before, row, met, line_ - side_.forward);
-    const VF rise = height_in(posts, row, met, line_) - from_height;
+    const VF from_height = ground_.heights_in(posts_before, row, met, line_ - side_.forward);
+    const VF rise = ground_.heights_in(posts, row, met, line_) - from_height;
     const VF skipped = of(1 - (ahead_ - before_));  // where the eye is between two lines
     const VF height = hn::Max(from_height + (part.low + skipped) * rise,
                               from_height + (part.high + skipped) * rise);
 
-    const VF above = lift(height, of(0), load(edges_.curvature, first));
-    const Bounds bounds = slope_bounds(slopes_from(first, part.low), slopes_to(first, part.high),
-                                       {above, above}, of(2 * margin_ / ahead_ + bend_));
+    const VF above = slopes_.lift(height, of(0), load(edges_.curvature, first));
+    const Bounds bounds = slopes_.between(slopes_from(first, part.low), slopes_to(first, part.high),
+                                          {above, above}, of(2 * margin_ / ahead_ + bend_));
     const MF crossed = hn::And(part.low <= part.high, height == height);
     return hn::IfThenElse(crossed, bounds.high, of(-kInfinity));
   }
@@ -444,16 +327,11 @@ class PartSweep {
   SightSide side_;
   int part_;
   std::span<std::uint8_t> fates_;
-  int across_stride_;
-  float first_row_;  // from the side's base
-  float last_row_;
+  SightSlopes slopes_;
+  SightPosts ground_;
   bool has_holes_;
   float track_margin_;
-  float z_scale_;
-  float eye_height_m_;
   float observer_m_;
-  float half_refraction_;
-  float height_slack_m_;
   float reach_m_;
   const Terrain& terrain_;
 

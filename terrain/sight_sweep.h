@@ -1,9 +1,9 @@
 // Most of a viewshed by bounds: which posts of a grid certainly see the eye, and which do not.
 //
-// The grid around the eye is cut into wedges, half a post wide at most: lines from the eye part
+// The grid around the eye is cut into wedges, less than a post wide: lines from the eye part
 // them, as tracks over the grid run. On each of the four sides of the eye the wedges are swept
 // outwards, line by line of the grid. All lines of sight in a wedge cross a line of the grid within
-// half a post; the least and the greatest height there bound the slope at which each of them meets
+// that; the least and the greatest height there bound the slope at which each of them meets
 // the ground, so that the greatest of the least slopes so far and the greatest of all bound the
 // horizon of every post behind. A post above both is seen, below both it is hidden; between them it
 // is left undecided, to a ray (terrain/post_sight_lines.h). Wedges are halved where they have

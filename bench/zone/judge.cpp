@@ -12,6 +12,8 @@ using Real = long double;
 
 constexpr std::size_t kMostJudged = 4000;
 constexpr int kPlacesInCell = 64;
+// A line that touches the ground is stopped; heights in whole metres make some that do.
+constexpr Real kTouch_m = 1e-12L;
 
 Real bilinear_m(const HeightGrid& grid, Real u, Real v) {
   const int column = std::clamp(static_cast<int>(std::floor(u)), 0, grid.columns - 2);
@@ -81,8 +83,8 @@ Judgement judge(const FlatSight& sight, const HeightGrid& zone, const HeightGrid
     const glm::ivec2 post = differing[i];
     const bool zone_says = is_seen(zone.at(post.x, post.y));
     const Real on_edges_m = clearance_m(sight, post, Ground::edges);
-    if ((on_edges_m > 0) == zone_says) ++found.zone_edges;
-    if ((clearance_m(sight, post, Ground::bilinear) > 0) == zone_says) ++found.zone_bilinear;
+    if ((on_edges_m > kTouch_m) == zone_says) ++found.zone_edges;
+    if ((clearance_m(sight, post, Ground::bilinear) > kTouch_m) == zone_says) ++found.zone_bilinear;
     sizes_m.push_back(static_cast<double>(std::fabs(on_edges_m)));
   }
   found.judged = sizes_m.size();
