@@ -11,9 +11,13 @@ namespace {
 using Real = long double;
 
 constexpr std::size_t kMostJudged = 4000;
-constexpr int kPlacesInCell = 64;
-// A line that touches the ground is stopped; heights in whole metres make some that do.
-constexpr Real kTouch_m = 1e-12L;
+constexpr int kPlacesInCell = 16;
+// A line that touches the ground as nearly as this may be taken for either.
+constexpr Real kTouch_m = 1e-9L;
+
+bool bears_out(Real clearance_m, bool seen) {
+  return std::fabs(clearance_m) < kTouch_m || (clearance_m > 0) == seen;
+}
 
 Real bilinear_m(const HeightGrid& grid, Real u, Real v) {
   const int column = std::clamp(static_cast<int>(std::floor(u)), 0, grid.columns - 2);
@@ -83,8 +87,8 @@ Judgement judge(const FlatSight& sight, const HeightGrid& zone, const HeightGrid
     const glm::ivec2 post = differing[i];
     const bool zone_says = is_seen(zone.at(post.x, post.y));
     const Real on_edges_m = clearance_m(sight, post, Ground::edges);
-    if ((on_edges_m > kTouch_m) == zone_says) ++found.zone_edges;
-    if ((clearance_m(sight, post, Ground::bilinear) > kTouch_m) == zone_says) ++found.zone_bilinear;
+    if (bears_out(on_edges_m, zone_says)) ++found.zone_edges;
+    if (bears_out(clearance_m(sight, post, Ground::bilinear), zone_says)) ++found.zone_bilinear;
     sizes_m.push_back(static_cast<double>(std::fabs(on_edges_m)));
   }
   found.judged = sizes_m.size();

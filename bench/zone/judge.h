@@ -19,7 +19,7 @@ struct FlatSight {
 
 enum class Ground {
   edges,     // linear on rows and columns: the hyperboloid's, where lines of sight cross them
-  bilinear,  // and inside cells, looked at in 64 places of each
+  bilinear,  // and inside cells, looked at in 16 places of each
 };
 
 // The least height of the line of sight to a post above the ground, up to the last row or column
