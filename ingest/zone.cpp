@@ -149,7 +149,8 @@ class ZoneMaker {
 // Pyramids that the frames of all targets share.
 std::vector<Dem> with_ceilings(std::vector<Dem> dems, const ViewFrameOptions& options) {
   for (Dem& dem : dems) {
-    if (dem.ceilings || options.search == Search::plain) continue;
+    const bool has_cells = dem.grid->columns > 1 && dem.grid->rows > 1;
+    if (dem.ceilings || options.search == Search::plain || !has_cells) continue;
     dem.ceilings = std::make_shared<const HeightCeilings>(
         *dem.grid, [&](int count, const std::function<void(int index)>& work) {
           parallel_for(count, options.threads, work);
@@ -163,7 +164,7 @@ std::vector<Dem> with_ceilings(std::vector<Dem> dems, const ViewFrameOptions& op
 Zone visible_zone(const std::vector<Dem>& dems, const std::vector<EyePlace>& targets,
                   const ZoneOptions& options) {
   if (targets.empty()) throw InputError("no target: give a point of what is to be seen");
-  if (!(options.observer_m >= 0))
+  if (!(options.observer_m >= 0) || std::isinf(options.observer_m))
     throw InputError("an observer stands on the ground or above it: give a height from 0");
   if (dems.empty()) throw InputError("no DEM: name at least one file");
   const std::vector<Dem> shared = with_ceilings(dems, options.frame);

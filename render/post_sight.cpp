@@ -46,6 +46,7 @@ class RowOfLines {
     const std::vector<int> columns = columns_of(fates, kSeen);
     const std::vector<PostPlace> places = places_in_row(terrain_, grid_, row_, columns);
     for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (places[i].map == nullptr) continue;
       const glm::dvec2 ground_m = places[i].ground_m;
       const glm::dvec3 observer_m(ground_m,
                                   terrain_.frame().at(ground_m).z_m(eye_height_m(columns[i])));

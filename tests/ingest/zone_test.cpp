@@ -99,6 +99,41 @@ TEST(Zone, IsHiddenByObstacles) {
     EXPECT_EQ(zone.counts[zone.index(column, 0)], column <= 2 ? 1 : 0);
 }
 
+TEST(Zone, IsThatOfItsOnlyCell) {
+  const Dem cell = laid_flat(2, 2, 10, [](int c, int r) { return 3.0 * c - r; });
+  const Zone zone = visible_zone({cell}, {target_at({5, 5}, 10)});
+  EXPECT_EQ(zone.counts, std::vector<float>(4, 1));
+  const Dem post = laid_flat(1, 1, 10, [](int, int) { return 0.0; });
+  EXPECT_THROW(static_cast<void>(visible_zone({post}, {target_at({0, 0}, 10)})), InputError);
+}
+
+// Posts of the second DEM are no part of the zone, but its ground hides.
+TEST(Zone, IsHiddenByTheGroundOfOtherDems) {
+  const Dem dem = laid_flat(21, 3, 10, [](int, int) { return 0.0; });
+  Dem wall = laid_flat(5, 11, 10, [](int c, int) { return c == 2 ? 50.0 : 0.0; });
+  wall.placement.origin += glm::dvec2(-70, -40);
+  const Zone zone = visible_zone({dem, wall}, {target_at({-100, 10}, 20)});
+  EXPECT_EQ(std::count(zone.counts.begin(), zone.counts.end(), 0.0F), 21 * 3);
+  const Zone alone = visible_zone({dem}, {target_at({-100, 10}, 20)});
+  EXPECT_EQ(std::count(alone.counts.begin(), alone.counts.end(), 1.0F), 21 * 3);
+}
+
+TEST(Zone, IsTheSameByRaysAlone) {
+  const Dem dem = cases::laid("EPSG:4326", {9.5, 47.3}, 1.0 / 1200,
+                              cases::grid_of({150, 150}, [](int c, int r) {
+                                return 400 * std::sin(c * 0.11) * std::cos(r * 0.13);
+                              }));
+  const std::vector<EyePlace> targets{target_at({9.56, 47.24}, 500),
+                                      target_at({9.561, 47.24}, 520)};
+  ZoneOptions plain;
+  plain.plain = true;
+  const Zone found = visible_zone({dem}, targets);
+  const Zone expected = visible_zone({dem}, targets, plain);
+  EXPECT_EQ(found.counts, expected.counts);
+  EXPECT_EQ(found.angles_rad, expected.angles_rad);
+  EXPECT_GT(std::count(found.counts.begin(), found.counts.end(), 2.0F), 2000);
+}
+
 TEST(Zone, RefusesWhatMakesNoZone) {
   const Dem dem = laid_flat(5, 5, 10, [](int, int) { return 0.0; });
   EXPECT_THROW(static_cast<void>(visible_zone({}, {target_at({0, 0}, 5)})), InputError);
