@@ -11,14 +11,14 @@
 namespace terrview {
 
 // One of the four sides of the eye: its wedges run forward along u or v, and lie beside each other
-// along the other axis. `ahead` and `across` count posts from the eye's.
+// along the other axis. Posts ahead count from the eye, posts across from `base`.
 struct SightSide {
   SightSide(const Terrain& terrain, int side);
 
   int axis;        // along which lines of the grid are crossed: 0 = u, 1 = v
   int forward;     // 1 or -1
   glm::dvec2 eye;  // grid coordinates
-  int base;        // the row (column) at or before the eye, from which `across` counts
+  int base;        // the row (column) at or before the eye's
   int lines;       // of the grid, along `axis`
   int rows;        // across
 
@@ -31,8 +31,8 @@ struct SightSide {
 // lies across + slope * a across, and metres + metres_per_post * a from the eye.
 class SightEdges {
  public:
-  // Edges `first` to `first` + `count` - 1 of those that part `wedges` wedges of a side, from left
-  // to right as `across` counts; where they are `from_ahead` posts ahead of the eye.
+  // Edges `first` to `first` + `count` - 1 of those that part `wedges` wedges of a side, in the
+  // order of rows; where they are `from_ahead` posts ahead of the eye.
   SightEdges(const Terrain& terrain, const SightSide& side, int wedges, int first, int count,
              double from_ahead);
 
