@@ -182,7 +182,7 @@ VerticalFrame ViewFrame::Impl::vertical_frame(const EyePlace& place) {
     frame.eye_height_m = options.z_scale * place.height_m;
   }
   eye.height_m = frame.eye_height_m / options.z_scale;
-  if (eye.ground_m && frame.eye_height_m < options.z_scale * *eye.ground_m)
+  if (!options.under_ground && eye.ground_m && frame.eye_height_m < options.z_scale * *eye.ground_m)
     throw InputError("the eye is " + in_words("%.3f", *eye.ground_m - eye.height_m) +
                      " m under the ground, which at " + eye_text() + " is at " +
                      in_words("%.3f", *eye.ground_m) +
@@ -221,8 +221,9 @@ std::vector<TerrainLayer> ViewFrame::Impl::flat_layers() {
 
 std::vector<TerrainLayer> ViewFrame::Impl::curved_layers(const VerticalFrame& frame) {
   const Relief heights = relief(places, options.z_scale);
-  const double sight =
-      options.beyond_sight ? kFurthest_m : sight_m(frame, heights.lowest_m, heights.highest_m);
+  const double sight = options.beyond_sight ? kFurthest_m
+                                            : sight_m(frame, heights.lowest_m,
+                                                      heights.highest_m + options.above_ground_m);
   std::vector<TerrainLayer> layers;
   for (const Place& place : places) {
     for (const LaidGrid& laid : lay_grid(exact_map(place), place.size(), sight)) {

@@ -31,6 +31,8 @@ struct ViewFrameOptions {
   SurfaceModel surface = SurfaceModel::hyperboloid;
   Search search = Search::pyramid;
   bool beyond_sight = false;  // ground that the eye can't see matters too: for a plan
+  double above_ground_m = 0;  // what stands so high above the ground is to be seen too
+  bool under_ground = false;  // the eye may be under the ground, whence it sees nothing
   int threads = 0;            // 0 = all the processor has
 };
 
