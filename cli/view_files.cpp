@@ -31,9 +31,10 @@ glm::ivec2 image_size(const ViewOptions& options) {
 
 std::vector<std::string> files_read(const ViewOptions& options) {
   std::vector<std::string> files = options.dems;
-  files.insert(files.end(), {options.objects.buildings, options.objects.trees, options.drape,
-                             options.water.file, options.labels.peaks, options.labels.font,
-                             options.colors, options.palette.use_palette, options.from_camera});
+  files.insert(files.end(), options.objects.buildings.begin(), options.objects.buildings.end());
+  files.insert(files.end(), {options.objects.trees, options.drape, options.water.file,
+                             options.labels.peaks, options.labels.font, options.colors,
+                             options.palette.use_palette, options.from_camera});
   if (options.contents) files.push_back(options.contents->path);
   return files;
 }

@@ -71,7 +71,7 @@ Json samples_json(const SamplingOptions& options, bool plan) {
 
 Json buildings_json(const ObjectOptions& options) {
   Json json;
-  json["file"] = file_name(options.buildings);
+  for (const std::string& path : options.buildings) json["files"].push_back(file_name(path));
   if (!options.reading.height_field.empty()) json["height"] = options.reading.height_field;
   json["default_height_m"] = options.placing.default_height_m;
   json["base"] = name_of(options.placing.base);

@@ -105,8 +105,10 @@ void parse_building_color(const std::string& text, ObjectOptions& options) {
 
 void add_object_options(CLI::App& app, ObjectOptions& options) {
   app.add_option("--buildings", options.buildings,
-                 "Footprints to raise on the ground: GeoJSON or whatever OGR opens")
-      ->type_name("FILE");
+                 "Footprints to raise on the ground: GeoJSON or whatever OGR opens; may be given "
+                 "several times")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   app.add_option("--height", options.reading.height_field,
                  "The field of the buildings' heights, metres (default: height_m, height, "
                  "building:height, or 3 m a level)")
@@ -157,8 +159,8 @@ const char* name_of(BuildingBase base) {
 ViewObjects read_objects(const ViewOptions& options, const ViewFrame& frame, SharedInputs& inputs) {
   const ObjectOptions& files = options.objects;
   ViewObjects objects;
-  if (!files.buildings.empty())
-    add_buildings(*inputs.footprints(files.buildings, files.reading), files, frame, objects);
+  for (const std::string& buildings : files.buildings)
+    add_buildings(*inputs.footprints(buildings, files.reading), files, frame, objects);
   if (!files.trees.empty()) add_trees(*inputs.trees(files.trees), frame, objects);
   if (options.contents) place_solids(*options.contents, frame, objects.placed);
   objects.scene = with_casters(objects.placed.scene_objects());

@@ -70,7 +70,7 @@ struct WaterOptions {
 };
 
 struct ObjectOptions {
-  std::string buildings;
+  std::vector<std::string> buildings;
   std::string trees;
   FootprintOptions reading;
   BuildingOptions placing;

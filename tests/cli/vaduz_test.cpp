@@ -27,7 +27,7 @@ constexpr glm::ivec2 kSize_px{160, 100};
 ViewOptions from_the_castle(const std::string& buildings) {
   ViewOptions options;
   options.dems = {shared_data("liechtenstein/li_srtm3_filled.tif")};
-  options.objects.buildings = buildings;
+  options.objects.buildings = {buildings};
   options.eye = parse_eye("47.1395,9.5245,+30");
   options.heading_deg = 285;
   options.pitch_deg = -12;
