@@ -66,6 +66,10 @@ Box Prism::bounds() const {
   return box;
 }
 
+double Prism::top_z_m(glm::dvec2 ground_m) const {
+  return level_.z_at(ground_m) + roof_.height_m(ground_m);
+}
+
 RayRange Prism::below_planes(const Line& line) const {
   RayRange range;
   for (std::size_t i = 0; i < halves_.size(); ++i)

@@ -41,6 +41,12 @@ class Prism final : public Object {
 
   [[nodiscard]] const Polygon& footprint() const { return footprint_; }
 
+  // Where a wall that stands over a place of the footprint begins and ends, in the view frame.
+  [[nodiscard]] double foot_z_m(glm::dvec2 ground_m) const {
+    return level_.z_at(ground_m) + base_m_;
+  }
+  [[nodiscard]] double top_z_m(glm::dvec2 ground_m) const;
+
  private:
   struct Line;
   struct Meeting;

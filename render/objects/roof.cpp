@@ -1,7 +1,9 @@
 #include "render/objects/roof.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -94,6 +96,18 @@ void add_planes(std::span<const glm::dvec2> hull, const OrientedRectangle& recta
 }
 
 }  // namespace
+
+double Roof::height_m(glm::dvec2 ground_m) const {
+  const glm::dvec2 off_m = ground_m - middle;
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const Plane& plane : planes)
+    lowest_m = std::min(lowest_m, plane.height_m + glm::dot(plane.slope, off_m));
+  if (!dome) return lowest_m;
+  const glm::dvec2 side(-dome->along.y, dome->along.x);
+  const double x = glm::dot(off_m, dome->along) / dome->half_length_m;
+  const double y = glm::dot(off_m, side) / dome->half_width_m;
+  return std::max(lowest_m, eaves_m + dome->height_m * std::sqrt(std::max(0.0, 1 - x * x - y * y)));
+}
 
 Roof make_roof(std::span<const glm::dvec2> footprint, const RoofOptions& given) {
   RoofOptions options = given;

@@ -46,6 +46,9 @@ struct Roof {
 
   // Nothing of it is higher.
   double top_m = 0;
+
+  // Over a place within the footprint.
+  [[nodiscard]] double height_m(glm::dvec2 ground_m) const;
 };
 
 [[nodiscard]] Roof make_roof(std::span<const glm::dvec2> footprint, const RoofOptions& options);

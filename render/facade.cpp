@@ -1,0 +1,133 @@
+#include "render/facade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "render/objects/scene_objects.h"
+#include "render/parallel.h"
+
+namespace terrview {
+namespace {
+
+// A ray to a wall stops so far before it, so that it does not meet that wall.
+constexpr double kBefore_m = 1e-3;
+
+// An upright strip of a wall, through its middle.
+struct Strip {
+  glm::dvec2 at_m;
+  double width_m;
+  double foot_z_m;
+  double top_z_m;
+
+  [[nodiscard]] double height_m() const { return top_z_m - foot_z_m; }
+};
+
+struct Wall {
+  const Prism* prism;
+  glm::dvec2 from_m;
+  glm::dvec2 edge_m;
+
+  // In `count` strips; those that are under the ground are left out.
+  void add_strips(const Terrain& terrain, int count, std::vector<Strip>& strips) const {
+    for (int i = 0; i < count; ++i) {
+      const glm::dvec2 at_m = from_m + (i + 0.5) / count * edge_m;
+      double foot_z_m = prism->foot_z_m(at_m);
+      if (const auto ground = terrain.ground_at(at_m))
+        foot_z_m = std::max(foot_z_m, terrain.frame().at(at_m).z_m(ground->scene_height_m));
+      const double top_z_m = prism->top_z_m(at_m);
+      if (top_z_m > foot_z_m)
+        strips.push_back({at_m, glm::length(edge_m) / count, foot_z_m, top_z_m});
+    }
+  }
+};
+
+bool is_inside(std::span<const Prism* const> parts, glm::dvec2 at_m) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const Prism* part) { return part->footprint().contains(at_m); });
+}
+
+// The walls whose outer sides are turned to the eye.
+std::vector<Wall> facing_walls(std::span<const Prism* const> parts) {
+  std::vector<Wall> walls;
+  for (const Prism* part : parts) {
+    const std::span<const glm::dvec2> vertices = part->footprint().vertices();
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      const glm::dvec2 edge_m = vertices[i + 1] - vertices[i];
+      if (!part->footprint().is_edge(i) || !(glm::length(edge_m) > 0)) continue;
+      const glm::dvec2 middle_m = vertices[i] + 0.5 * edge_m;
+      glm::dvec2 to_eye = glm::normalize(glm::dvec2(edge_m.y, -edge_m.x));
+      if (glm::dot(to_eye, middle_m) > 0) to_eye = -to_eye;
+      const bool faces = is_inside(parts, middle_m - kBefore_m * to_eye) &&
+                         !is_inside(parts, middle_m + kBefore_m * to_eye);
+      if (faces) walls.push_back({part, vertices[i], edge_m});
+    }
+  }
+  return walls;
+}
+
+double area_m2(const std::vector<Strip>& strips) {
+  double sum_m2 = 0;
+  for (const Strip& strip : strips) sum_m2 += strip.width_m * strip.height_m();
+  return sum_m2;
+}
+
+bool is_seen(const Scene& scene, const glm::dvec3& point_m) {
+  const Ray ray{.origin_m = {0, 0, 0},
+                .direction = glm::normalize(point_m),
+                .length_m = std::max(0.0, glm::length(point_m) - kBefore_m)};
+  return !scene.terrain->occluded(ray) && !scene.objects->set->stops(ray);
+}
+
+FacadeSight strip_sight(const Scene& scene, const Strip& strip, int rows) {
+  const double part_m2 = strip.width_m * strip.height_m() / rows;
+  FacadeSight sight{.facing_m2 = rows * part_m2};
+  for (int row = 0; row < rows; ++row) {
+    const glm::dvec3 point_m(strip.at_m, strip.foot_z_m + (row + 0.5) / rows * strip.height_m());
+    if (is_seen(scene, point_m))
+      sight += {.seen_m2 = part_m2, .nearest_m = point_m, .farthest_m = point_m};
+  }
+  return sight;
+}
+
+int count_of(double length_m, double step_m) {
+  return std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
+}
+
+}  // namespace
+
+FacadeSight& FacadeSight::operator+=(const FacadeSight& more) {
+  facing_m2 += more.facing_m2;
+  seen_m2 += more.seen_m2;
+  if (!more.nearest_m) return *this;
+  if (!nearest_m || glm::length(*more.nearest_m) < glm::length(*nearest_m))
+    nearest_m = more.nearest_m;
+  if (!farthest_m || glm::length(*more.farthest_m) > glm::length(*farthest_m))
+    farthest_m = more.farthest_m;
+  return *this;
+}
+
+FacadeSight facade_sight(const Scene& scene, std::span<const Prism* const> parts,
+                         const FacadeOptions& options) {
+  constexpr int kRoughStrips = 8;
+  const std::vector<Wall> walls = facing_walls(parts);
+  std::vector<Strip> strips;
+  for (const Wall& wall : walls) wall.add_strips(*scene.terrain, kRoughStrips, strips);
+  const double step_m = std::sqrt(area_m2(strips) / options.samples);
+  if (!(step_m > 0)) return {};
+  strips.clear();
+  for (const Wall& wall : walls)
+    wall.add_strips(*scene.terrain, count_of(glm::length(wall.edge_m), step_m), strips);
+  std::vector<FacadeSight> sights(strips.size());
+  parallel_for(static_cast<int>(strips.size()), options.threads, [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    sights[i] = strip_sight(scene, strips[i], count_of(strips[i].height_m(), step_m));
+  });
+  FacadeSight sight;
+  for (const FacadeSight& one : sights) sight += one;
+  return sight;
+}
+
+}  // namespace terrview
