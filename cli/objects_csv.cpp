@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "cli/batch/csv.h"
 #include "render/objects/scene_objects.h"
 #include "render/parallel.h"
 
@@ -105,20 +106,12 @@ std::map<std::int32_t, Extent> visible(const Camera& camera, const Raster<PixelS
   return extents;
 }
 
-// As RFC 4180 has it.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
 std::string line_of(const PlacedFeature& feature, const Extent& seen, const Extent& whole) {
   char numbers[128];
   std::snprintf(numbers, sizeof numbers, ",%.6g,%lld,%.6g,", feature.height_m,
                 static_cast<long long>(seen.pixels), seen.solid_angle_sr);
   std::string line = std::to_string(feature.id) + "," + feature.kind + "," +
-                     std::to_string(feature.number) + "," + quoted(feature.name) + numbers;
+                     std::to_string(feature.number) + "," + csv_cell(feature.name) + numbers;
   if (whole.pixels > 0) {
     const double share = whole.solid_angle_sr > 0
                              ? seen.solid_angle_sr / whole.solid_angle_sr

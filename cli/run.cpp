@@ -7,6 +7,7 @@
 
 #include "cli/batch/batch_command.h"
 #include "cli/command_line.h"
+#include "cli/impact/impact_command.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
 #include "cli/overview_command.h"
@@ -26,6 +27,7 @@ constexpr const char* kUsage =
     "\n"
     "  terrview [view] DEM... --eye LAT,LON,ALT [options] [-o OUT]   one picture\n"
     "  terrview batch JOBS --dem DEM... -o '{name}.png'              many, from a table\n"
+    "  terrview impact DEM... --buildings F --viewpoints F -o DIR    what a project changes\n"
     "  terrview overview DEM... [options] [-o OUT]                   a whole region\n"
     "  terrview SCENE.json|SCENE.xml [options] [-o OUT]              what a scene file describes\n"
     "  terrview info DEM... [--json]                                 what DEMs hold\n"
@@ -39,9 +41,9 @@ using Command = int (*)(const std::vector<std::string>& args);
 
 int dispatch(std::vector<std::string> args) {
   static const std::map<std::string, Command> kCommands{
-      {"batch", run_batch},       {"info", run_info}, {"overview", run_overview},
-      {"quantize", run_quantize}, {"sky", run_sky},   {"synth", run_synth},
-      {"view", run_view}};
+      {"batch", run_batch},       {"impact", run_impact},     {"info", run_info},
+      {"overview", run_overview}, {"quantize", run_quantize}, {"sky", run_sky},
+      {"synth", run_synth},       {"view", run_view}};
   if (args.empty()) {
     std::fputs(kUsage, stderr);
     return 2;

@@ -35,12 +35,8 @@ bool shows_display_colors(const ViewOptions& options) {
 
 Frame render(const ViewOptions& options, const View& view, const ViewFiles& files) {
   ProgressBar bar("rendering", shows_bar(options));
-  RenderOptions how{.threads = options.threads,
-                    .coherence = options.coherence,
-                    .keep_samples = files.layers != nullptr || files.objects_csv != nullptr,
-                    .samples = options.sampling.samples,
-                    .contrast = static_cast<float>(options.sampling.contrast),
-                    .preview = options.sampling.preview};
+  RenderOptions how = render_options(options);
+  how.keep_samples = files.layers != nullptr || files.objects_csv != nullptr;
   how.progress = [&](double share) {
     check_interrupt();
     bar.report(share);
@@ -137,6 +133,14 @@ Frame draw(const ViewOptions& options, const View& view, const ViewFiles& files,
 }
 
 }  // namespace
+
+RenderOptions render_options(const ViewOptions& options) {
+  return {.threads = options.threads,
+          .coherence = options.coherence,
+          .samples = options.sampling.samples,
+          .contrast = static_cast<float>(options.sampling.contrast),
+          .preview = options.sampling.preview};
+}
 
 bool shows_bar(const ViewOptions& options) {
   return !options.quiet && (options.progress || stderr_is_terminal());

@@ -11,6 +11,7 @@
 #include "ingest/dem.h"
 #include "render/image.h"
 #include "render/image_file.h"
+#include "render/render.h"
 
 namespace terrview {
 
@@ -28,6 +29,9 @@ void make_picture(const ViewOptions& options, const std::vector<Dem>& dems, Shar
 // The same without any file.
 [[nodiscard]] Image make_image(const ViewOptions& options, const std::vector<Dem>& dems,
                                SharedInputs& inputs);
+
+// How a view of the options is rendered, its files aside.
+[[nodiscard]] RenderOptions render_options(const ViewOptions& options);
 
 [[nodiscard]] bool shows_bar(const ViewOptions& options);
 

@@ -108,6 +108,7 @@ void add_object_options(CLI::App& app, ObjectOptions& options) {
                  "Footprints to raise on the ground: GeoJSON or whatever OGR opens; may be given "
                  "several times")
       ->type_name("FILE")
+      ->take_all()
       ->allow_extra_args(false);
   app.add_option("--height", options.reading.height_field,
                  "The field of the buildings' heights, metres (default: height_m, height, "

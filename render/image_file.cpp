@@ -148,18 +148,24 @@ void write_pixels(OIIO::ImageOutput& output, const std::string& path, const OIIO
     throw std::runtime_error(output.geterror());
 }
 
+// The bytes of a file; `path` is for the library's messages.
 template <class Value>
-void write_picture(const std::string& path, const std::string& format, OIIO::ImageSpec spec,
-                   const std::vector<Value>& values) {
-  const auto output = create(format);
-  // OpenImageIO 2.4 writes broken TIFF to memory, and libtiff notices a full disk by itself.
-  if (format == "tiff") return write_pixels(*output, path, spec, values);
+std::string encode_picture(const std::string& path, const std::string& format, OIIO::ImageSpec spec,
+                           const std::vector<Value>& values) {
   OIIO::Filesystem::IOVecOutput memory;
   OIIO::Filesystem::IOProxy* proxy = &memory;
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  write_pixels(*output, path, spec, values);
+  write_pixels(*create(format), path, spec, values);
   const std::vector<unsigned char>& bytes = memory.buffer();
-  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return {bytes.begin(), bytes.end()};
+}
+
+template <class Value>
+void write_picture(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec,
+                   const std::vector<Value>& values) {
+  // OpenImageIO 2.4 writes broken TIFF to memory, and libtiff notices a full disk by itself.
+  if (format == "tiff") return write_pixels(*create(format), path, spec, values);
+  write_file(path, encode_picture(path, format, spec, values));
 }
 
 std::vector<std::uint8_t> srgb_bytes(const Image& image) {
@@ -193,6 +199,12 @@ void write_image(const std::string& path, const Image& image, const ImageFileOpt
   } else {
     write_picture(path, format, spec, srgb_bytes(image));
   }
+}
+
+std::string encode_jpeg(const Image& image, int quality) {
+  const OIIO::ImageSpec spec = image_spec({image.width_px(), image.height_px()}, "jpeg",
+                                          {.creation = {{"QUALITY", std::to_string(quality)}}});
+  return encode_picture("picture.jpg", "jpeg", spec, srgb_bytes(image));
 }
 
 void write_exr(const std::string& path, glm::ivec2 size_px,

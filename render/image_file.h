@@ -30,6 +30,9 @@ void check_image_file(const std::string& path, glm::ivec2 size_px, const ImageFi
 // and std::runtime_error with the reason, but not the path, if writing fails.
 void write_image(const std::string& path, const Image& image, const ImageFileOptions& options);
 
+// The bytes of a JPEG file; `quality` from 1 to 100. Throws as write_image() does.
+[[nodiscard]] std::string encode_jpeg(const Image& image, int quality);
+
 // A named plane of floats, row by row.
 struct FloatChannel {
   std::string name;

@@ -84,4 +84,11 @@ std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name)
   return Reader(text, name).records();
 }
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
 }  // namespace terrview

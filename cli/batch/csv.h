@@ -17,4 +17,7 @@ struct CsvRecord {
 // is for messages. Throws InputError for a quote that is never closed, or text after a closing one.
 [[nodiscard]] std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name);
 
+// A cell as RFC 4180 has it.
+[[nodiscard]] std::string csv_cell(const std::string& text);
+
 }  // namespace terrview

@@ -1,0 +1,45 @@
+// The files of a study.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/output_file.h"
+
+namespace terrview {
+
+// Claimed before the work begins, so that they appear together when it is done, or not at all.
+class ImpactFiles {
+ public:
+  struct OfViewpoint {
+    std::unique_ptr<OutputFile> before;
+    std::unique_ptr<OutputFile> after;
+    std::unique_ptr<OutputFile> difference;
+    std::unique_ptr<OutputFile> wireline;
+    std::unique_ptr<OutputFile> scene;
+    bool complete = false;  // others stay away
+  };
+
+  // Makes the folder if need be. Throws InputError for what cannot be written, or exists against
+  // `overwrite`.
+  ImpactFiles(const std::string& folder, int viewpoints, bool with_zone, bool overwrite);
+  ~ImpactFiles();  // removes the folder if nothing came into it
+  ImpactFiles(const ImpactFiles&) = delete;
+  ImpactFiles& operator=(const ImpactFiles&) = delete;
+
+  void commit();
+
+  std::vector<OfViewpoint> viewpoints;
+  std::unique_ptr<OutputFile> zone;  // null without one
+  std::unique_ptr<OutputFile> table;
+  std::unique_ptr<OutputFile> features;
+  std::unique_ptr<OutputFile> report;
+
+ private:
+  std::filesystem::path folder_;
+  bool made_folder_ = false;
+};
+
+}  // namespace terrview
