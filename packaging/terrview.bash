@@ -1,6 +1,6 @@
 # bash completion of terrview. It asks the program: the options, and what stands for their values, are
 # those of `terrview COMMAND --help`. Of a value such as small|large|FILE the words in small letters are
-# choices; FILE, or another name for one, means the names of files.
+# choices; FILE, or another name for one, means the names of files, and DIR those of folders.
 
 _terrview_values() {  # <what stands for a value> <its beginning>
   local word
@@ -9,6 +9,10 @@ _terrview_values() {  # <what stands for a value> <its beginning>
       FILE | IMAGE | DEM | IN | JOBS)
         compopt -o filenames 2>/dev/null
         mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -f -- "$2")
+        ;;
+      DIR)
+        compopt -o filenames 2>/dev/null
+        mapfile -t COMPREPLY < <(compgen -d -- "$2")
         ;;
       *[A-Z]*) ;;
       *) [[ $1 == *'|'* && $word == "$2"* ]] && COMPREPLY+=("$word") ;;

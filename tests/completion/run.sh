@@ -55,6 +55,9 @@ expect 'fill' view --voids = f
 expect 'fill,open' view --voids =
 expect 'off,on' view --lod ''
 expect 'dem.tif' view --drape d
+mkdir studies
+expect 'studies' impact -o ''
+rmdir studies
 expect 'two words.tif' quantize --use-palette tw
 expect 'alpine,arid' view --colors a
 expect 'dem.tif' view --colors d
