@@ -130,8 +130,7 @@ int run_impact(const std::vector<std::string>& args) {
   const ViewpointFile viewpoints = read_viewpoints(options.viewpoints, dems.front());
   const Project project = read_project(with_all_buildings(options),
                                        options.view.objects.buildings.size(), dems, inputs);
-  ImpactFiles files(options.folder, static_cast<int>(viewpoints.viewpoints.size()), options.zone,
-                    options.view.overwrite);
+  ImpactFiles files(options, static_cast<int>(viewpoints.viewpoints.size()));
   ImpactStudy study{project, {}, project.geographic ? "EPSG:4326" : ""};
   const StudyGround ground{options, project, dems, inputs};
   study.viewpoints = study_viewpoints(ground, viewpoints.viewpoints, files);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <system_error>
 
+#include "cli/input_files.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -18,23 +20,34 @@ std::string number_text(int number, int count) {
   return std::string(digits - std::min(digits, text.size()), '0') + text;
 }
 
+std::vector<std::string> files_read(const ImpactOptions& options) {
+  const ViewOptions& view = options.view;
+  std::vector<std::string> files{options.viewpoints, view.objects.trees, view.drape,
+                                 view.water.file, view.colors};
+  for (const auto& more : {view.dems, options.existing, view.objects.buildings})
+    files.insert(files.end(), more.begin(), more.end());
+  return files;
+}
+
 }  // namespace
 
-ImpactFiles::ImpactFiles(const std::string& folder, int viewpoint_count, bool with_zone,
-                         bool overwrite)
-    : folder_(folder) {
+ImpactFiles::ImpactFiles(const ImpactOptions& options, int viewpoint_count)
+    : folder_(options.folder) {
   std::error_code error;
   made_folder_ = fs::create_directories(folder_, error);
   if (error)
-    throw InputError("-o " + folder + ": cannot be made (" + error.message() +
+    throw InputError("-o " + options.folder + ": cannot be made (" + error.message() +
                      "): check the folder above it");
+  const InputFiles inputs(files_read(options), "this study");
   const auto claim = [&](const std::string& name) {
-    return std::make_unique<OutputFile>((folder_ / name).string(), overwrite);
+    const std::string path = (folder_ / name).string();
+    inputs.refuse(path, "name another folder");
+    return std::make_unique<OutputFile>(path, options.view.overwrite);
   };
   report = claim("report.html");
   table = claim("impact.csv");
   features = claim("impact.gpkg");
-  if (with_zone) zone = claim("zone.tif");
+  if (options.zone) zone = claim("zone.tif");
   for (int i = 1; i <= viewpoint_count; ++i) {
     const std::string number = number_text(i, viewpoint_count);
     viewpoints.push_back({claim(number + "_before.png"), claim(number + "_after.png"),

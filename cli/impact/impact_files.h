@@ -3,9 +3,9 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "cli/impact/impact_options.h"
 #include "cli/output_file.h"
 
 namespace terrview {
@@ -22,9 +22,9 @@ class ImpactFiles {
     bool complete = false;  // others stay away
   };
 
-  // Makes the folder if need be. Throws InputError for what cannot be written, or exists against
-  // `overwrite`.
-  ImpactFiles(const std::string& folder, int viewpoints, bool with_zone, bool overwrite);
+  // Makes the folder of the options if need be. Throws InputError for what cannot be written, is
+  // read by the study, or exists already and is not to be replaced.
+  ImpactFiles(const ImpactOptions& options, int viewpoints);
   ~ImpactFiles();  // removes the folder if nothing came into it
   ImpactFiles(const ImpactFiles&) = delete;
   ImpactFiles& operator=(const ImpactFiles&) = delete;

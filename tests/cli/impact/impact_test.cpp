@@ -211,6 +211,10 @@ TEST_F(Impact, ReplacesAStudyOnlyWhenTold) {
   const Finished again = study("--zone off");
   expect_refused(again, {"exists already: give --overwrite"});
   EXPECT_EQ(study("--zone off --overwrite").exit_code, 0);
+  expect_refused(
+      run(words("impact plain.asc -q --buildings new.geojson --viewpoints out/impact.gpkg "
+                "-o out --overwrite")),
+      {"impact.gpkg", "is read by this study"});
   EXPECT_EQ(names_in(path("out")).count("zone.tif"), 0U);
 }
 
