@@ -25,6 +25,17 @@ function(terrview_test name folder)
   target_compile_definitions(${name} PRIVATE TERRVIEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # The second pattern is that of typed suites, TracerLong/0.Name.
   set(long "*Long.*:*Long/*.*")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_FILTER "-${long}")
+  if(TERRVIEW_SANITIZE)
+    # Processes with sanitizers take so long to start that a test each would spend most of the time so.
+    set(shards 12)
+    foreach(shard RANGE 1 ${shards})
+      math(EXPR index "${shard} - 1")
+      add_test(NAME ${name}.${shard}_of_${shards} COMMAND ${name} --gtest_filter=-${long})
+      set_tests_properties(${name}.${shard}_of_${shards} PROPERTIES
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+    endforeach()
+  else()
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_FILTER "-${long}")
+  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_FILTER "${long}" PROPERTIES LABELS long)
 endfunction()
