@@ -23,8 +23,10 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 using Numbers = std::map<std::string, double>;  // by column; what is empty is not there
 
-// Of the whole project as building 0.
-std::map<std::pair<int, int>, Numbers> read_table(const std::string& text) {
+// By viewpoint and building; of the whole project as building 0.
+using Table = std::map<std::pair<int, int>, Numbers>;
+
+Table read_table(const std::string& text) {
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
@@ -41,7 +43,7 @@ std::map<std::pair<int, int>, Numbers> read_table(const std::string& text) {
     return found;
   };
   const std::vector<std::string> names = cells(line);
-  std::map<std::pair<int, int>, Numbers> table;
+  Table table;
   while (std::getline(lines, line)) {
     const std::vector<std::string> values = cells(line);
     Numbers numbers;
@@ -264,6 +266,52 @@ Picture picture(const City& city, const Camera& camera) {
   return found;
 }
 
+View view_from(const Viewpoint& viewpoint, const std::vector<Dem>& dems) {
+  ViewOptions options;
+  options.dems = {dems.front().name};
+  options.eye = EyePlace{.geographic = GeoPoint{viewpoint.place.y, viewpoint.place.x},
+                         .projected = {},
+                         .height_m = viewpoint.eye_height_m.value_or(1.6),
+                         .above_ground = true};
+  // The middle of the two buildings, and half of the tower.
+  options.look_at = parse_look_at("47.13745,9.51765,+30");
+  options.fov_deg = viewpoint.options.count("fov") ? std::stod(viewpoint.options.at("fov")) : 60;
+  options.size_px = kSize_px;
+  options.coherence = Coherence::off;
+  options.sky.none = true;
+  prepare(options);
+  return make_view(options, dems);
+}
+
+void expect_picture(const Numbers& whole, const Picture& pixels) {
+  // Buildings' edges may run along rows of rays.
+  EXPECT_NEAR(whole.at("pixels"), pixels.pixels, 2 + 0.02 * pixels.pixels);
+  EXPECT_EQ(whole.count("horizon_changed"), pixels.columns > 0 ? 1U : 0U);
+  if (pixels.columns > 0) {
+    EXPECT_NEAR(whole.at("horizon_changed"), static_cast<double>(pixels.changed) / pixels.columns,
+                1.01 / pixels.columns);
+  }
+}
+
+// Returns the solid angle by brute force.
+double expect_building(const Numbers& numbers, const City& city, int building) {
+  const auto index = static_cast<std::size_t>(building - 1);
+  const double seen_sr = solid_angle_sr(city, index);
+  const double distance_m = glm::length(city.project[index].middle_m);
+  const double own_sr = 40 * (building == 1 ? 60 : 9) / (distance_m * distance_m);
+  EXPECT_NEAR(numbers.at("solid_angle_sr"), seen_sr, 0.015 * own_sr);
+  const RandomPoints points(city, index);
+  EXPECT_EQ(numbers.at("seen"), seen_sr > 0 || points.farthest_m > 0 ? 1 : 0);
+  EXPECT_NEAR(numbers.at("facade_facing_m2"), points.facing_m2, 0.01 * points.facing_m2);
+  EXPECT_NEAR(numbers.at("facade_share"), points.seen_m2 / points.facing_m2, 0.03);
+  // Where hardly anything is seen, its ends hang on the last centimetres of what is before it.
+  if (points.seen_m2 >= 0.1 * points.facing_m2) {
+    EXPECT_NEAR(numbers.at("nearest_m"), points.nearest_m, 2);
+    EXPECT_NEAR(numbers.at("farthest_m"), points.farthest_m, 2);
+  }
+  return seen_sr;
+}
+
 TEST(ImpactVaduz, TenViewpointsNumbersAreThoseOfBruteForce) {
   NEEDS_SHARED_DATA();
   const std::string dem = shared_data("liechtenstein/li_srtm3_filled.tif");
@@ -280,7 +328,7 @@ TEST(ImpactVaduz, TenViewpointsNumbersAreThoseOfBruteForce) {
        "--no-sky", "--no-shadows", "--zone", "off", "-q", "-o", "out"},
       folder.path().string());
   ASSERT_EQ(done.exit_code, 0) << done.err;
-  const auto table = read_table(read_text(folder / "out/impact.csv"));
+  const Table table = read_table(read_text(folder / "out/impact.csv"));
 
   const std::vector<Dem> dems = read_dems({dem});
   const ViewFrame anywhere(dems, parse_eye("47.13745,9.51765,+100"), {});
@@ -291,50 +339,14 @@ TEST(ImpactVaduz, TenViewpointsNumbersAreThoseOfBruteForce) {
   for (const Viewpoint& viewpoint :
        read_viewpoints(samples + "vaduz_viewpoints.geojson", dems.front()).viewpoints) {
     SCOPED_TRACE(viewpoint.name);
-    ViewOptions options;
-    options.dems = {dem};
-    options.eye = EyePlace{.geographic = GeoPoint{viewpoint.place.y, viewpoint.place.x},
-                           .projected = {},
-                           .height_m = viewpoint.eye_height_m.value_or(1.6),
-                           .above_ground = true};
-    // The middle of the two buildings, and half of the tower.
-    options.look_at = parse_look_at("47.13745,9.51765,+30");
-    options.fov_deg = viewpoint.options.count("fov") ? std::stod(viewpoint.options.at("fov")) : 60;
-    options.size_px = kSize_px;
-    options.coherence = Coherence::off;
-    options.sky.none = true;
-    prepare(options);
-    const View view = make_view(options, dems);
+    const View view = view_from(viewpoint, dems);
     const City city(view.frame, old, planned);
-
     const Numbers& whole = table.at({viewpoint.number, 0});
-    const Picture pixels = picture(city, view.camera);
-    // Buildings' edges may run along rows of rays.
-    EXPECT_NEAR(whole.at("pixels"), pixels.pixels, 2 + 0.02 * pixels.pixels);
-    EXPECT_EQ(whole.count("horizon_changed"), pixels.columns > 0 ? 1U : 0U);
-    if (pixels.columns > 0) {
-      EXPECT_NEAR(whole.at("horizon_changed"), static_cast<double>(pixels.changed) / pixels.columns,
-                  1.01 / pixels.columns);
-    }
-
+    expect_picture(whole, picture(city, view.camera));
     double sum_sr = 0;
     for (int building = 1; building <= 2; ++building) {
       SCOPED_TRACE(building);
-      const Numbers& numbers = table.at({viewpoint.number, building});
-      const auto index = static_cast<std::size_t>(building - 1);
-      const double seen_sr = solid_angle_sr(city, index);
-      sum_sr += seen_sr;
-      const double distance_m = glm::length(city.project[index].middle_m);
-      const double own_sr = 40 * (building == 1 ? 60 : 9) / (distance_m * distance_m);
-      EXPECT_NEAR(numbers.at("solid_angle_sr"), seen_sr, 0.015 * own_sr);
-      const RandomPoints points(city, index);
-      EXPECT_EQ(numbers.at("seen"), seen_sr > 0 || points.farthest_m > 0 ? 1 : 0);
-      EXPECT_NEAR(numbers.at("facade_facing_m2"), points.facing_m2, 0.01 * points.facing_m2);
-      EXPECT_NEAR(numbers.at("facade_share"), points.seen_m2 / points.facing_m2, 0.03);
-      // Where hardly anything is seen, its ends hang on the last centimetres of what is before it.
-      if (points.seen_m2 < 0.1 * points.facing_m2) continue;
-      EXPECT_NEAR(numbers.at("nearest_m"), points.nearest_m, 2);
-      EXPECT_NEAR(numbers.at("farthest_m"), points.farthest_m, 2);
+      sum_sr += expect_building(table.at({viewpoint.number, building}), city, building);
     }
     EXPECT_NEAR(whole.at("solid_angle_sr"), sum_sr, 0.015 * std::max(sum_sr, 1e-6));
     seeing += sum_sr > 0 ? 1 : 0;
