@@ -114,6 +114,19 @@ TEST_F(SceneView, AFileOfThatNameAfterViewIsADem) {
   expect_refused(run(words("folder.json")), {"folder.json", "is no file"});
 }
 
+TEST_F(SceneView, ItsTexturesAreNotReplaced) {
+  const std::string eye = R"("options": {"eye-xy": [0, 0, 0], "heading": 0, "size": "8x8"})";
+  write("plain.json",
+        "{" + eye + R"(, "solids": [{"kind": "sphere", "radius": 2, "at-xy": [0, 9, 0]}]})");
+  ASSERT_EQ(run(words("plain.json -q -o texture.png")).exit_code, 0);
+  const std::string before = bytes("texture.png");
+  write("s.json", "{" + eye + R"(, "solids": [{"kind": "sphere", "radius": 2, "at-xy": [0, 9, 0],
+    "material": {"color": {"kind": "picture", "file": "texture.png"}}}]})");
+  expect_refused(run(words("s.json -q --overwrite -o texture.png")),
+                 {"texture.png", "is read by this view"});
+  EXPECT_EQ(bytes("texture.png"), before);
+}
+
 TEST_F(SceneView, PlacesWithoutGroundAreRefusedByName) {
   write("s.json", R"({"dems": ["hills.tif"], "options": {"eye": [47.985, 6.99, 900], "size": "8x8"},
     "solids": [{"kind": "sphere", "radius": 2, "at": [40, 7, "+1"]}]})");
