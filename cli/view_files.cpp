@@ -35,7 +35,10 @@ std::vector<std::string> files_read(const ViewOptions& options) {
   files.insert(files.end(), {options.objects.trees, options.drape, options.water.file,
                              options.labels.peaks, options.labels.font, options.colors,
                              options.palette.use_palette, options.from_camera});
-  if (options.contents) files.push_back(options.contents->path);
+  if (options.contents) {
+    files.push_back(options.contents->path);
+    files.insert(files.end(), options.contents->pictures.begin(), options.contents->pictures.end());
+  }
   return files;
 }
 

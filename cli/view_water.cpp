@@ -107,16 +107,15 @@ std::shared_ptr<const Water> make_water(const WaterOptions& options, const LaidW
   Water water;
   water.color = options.color.value_or(water.color);
   if (laid.lakes) water.lakes = lakes_of(*scene.terrain, *laid.lakes);
+  if (options.level_m) {
+    water.level_m = scene.terrain->frame().z_scale * *options.level_m;
+    if (mirrors) check_eye(scene, *water.level_m);
+  }
   std::shared_ptr<Scene> reflected;
   if (mirrors) {
     reflected = std::make_shared<Scene>(scene);
     reflected->painted_sky = mirrored_sky;
     reflected->water = std::make_shared<const Water>(water);
-  }
-  // Rays that leave the level upward never come down to it again.
-  if (options.level_m) {
-    water.level_m = scene.terrain->frame().z_scale * *options.level_m;
-    if (mirrors) check_eye(scene, *water.level_m);
   }
   water.reflected = std::move(reflected);
   return std::make_shared<const Water>(std::move(water));

@@ -8,6 +8,7 @@
 
 #include <pugixml.hpp>
 
+#include "ingest/shortened.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -43,7 +44,7 @@ class Element {
       : source_(&source), node_(node), path_(std::move(path)) {}
 
   [[noreturn]] void fail(const std::string& what) const {
-    source_->fail(node_.offset_debug(), path_ + ": " + what);
+    source_->fail(node_.offset_debug(), shortened(path_) + ": " + what);
   }
 
   // Only these elements may be in it, and text only if there are none.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ingest/shortened.h"
 #include "terrain/error.h"
 
 namespace terrview {
@@ -49,12 +50,6 @@ class CountedCharacter {
   Line* line_;
 };
 
-// For a message.
-std::string shortened(const std::string& pointer) {
-  constexpr std::size_t kMost = 200;
-  return pointer.substr(0, kMost) + (pointer.size() > kMost ? "..." : "");
-}
-
 // Follows the parser through a text, up to the value at a pointer if there is one.
 class Walk : public nlohmann::json_sax<SceneJson> {
  public:
@@ -82,6 +77,9 @@ class Walk : public nlohmann::json_sax<SceneJson> {
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
+    if (name.size() > JsonText::kLongestKey)
+      refuse("a key is longer than " + std::to_string(JsonText::kLongestKey) +
+             " bytes: give a shorter one");
     levels_.back().key = name;
     if (!levels_.back().keys->insert(name).second)
       refuse(shortened(pointer()) + ": is said twice: leave one");
@@ -102,17 +100,37 @@ class Walk : public nlohmann::json_sax<SceneJson> {
     std::optional<Keys> keys = {};  // none: an array
     std::string key = {};
     std::size_t values = 0;
+    // How much of the wanted pointer leads to this level; none: the wanted value is not in it.
+    std::optional<std::size_t> matched = {};
+
+    [[nodiscard]] std::string part() const {
+      return "/" + (keys ? pointer_part(key) : std::to_string(values - 1));
+    }
   };
 
   // A value begins; false ends the walk.
   bool value() {
-    if (!levels_.empty()) ++levels_.back().values;
-    return !wanted_ || pointer() != *wanted_;
+    matched_ = 0;
+    if (!levels_.empty()) {
+      ++levels_.back().values;
+      matched_ = matched_with(levels_.back());
+    }
+    return !wanted_ || matched_ != wanted_->size();
+  }
+
+  [[nodiscard]] std::optional<std::size_t> matched_with(const Level& level) const {
+    if (!wanted_ || !level.matched) return std::nullopt;
+    const std::string part = level.part();
+    if (wanted_->compare(*level.matched, part.size(), part) != 0) return std::nullopt;
+    const std::size_t end = *level.matched + part.size();
+    if (end < wanted_->size() && (*wanted_)[end] != '/') return std::nullopt;
+    return end;
   }
 
   bool open(Level level) {
     if (levels_.size() >= JsonText::kDeepest)
       refuse("nests deeper than " + std::to_string(JsonText::kDeepest) + ": make it flatter");
+    level.matched = matched_;
     levels_.push_back(std::move(level));
     return true;
   }
@@ -124,8 +142,7 @@ class Walk : public nlohmann::json_sax<SceneJson> {
 
   [[nodiscard]] std::string pointer() const {
     std::string text;
-    for (const Level& level : levels_)
-      text += "/" + (level.keys ? pointer_part(level.key) : std::to_string(level.values - 1));
+    for (const Level& level : levels_) text += level.part();
     return text;
   }
 
@@ -137,6 +154,7 @@ class Walk : public nlohmann::json_sax<SceneJson> {
   std::optional<std::string> wanted_;
   Line line_;
   std::vector<Level> levels_;
+  std::optional<std::size_t> matched_;  // Level::matched of the value that begins
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ class JsonText {
  public:
   static constexpr std::size_t kDeepest = 200;                    // nesting of objects and arrays
   static constexpr std::size_t kLongest = std::size_t{16} << 20;  // bytes
+  static constexpr std::size_t kLongestKey = 1000;                // bytes
 
   // `name` is for messages. Throws InputError, with the line, for what is longer or deeper than
   // that, is no JSON in UTF-8, has a number that no double holds, or says a key of an object twice.

@@ -123,6 +123,7 @@ SceneContents read_contents(const SceneNode& root, const std::string& path,
     for (const SceneNode& lamp : lamps->elements(kMostLamps))
       contents.lamps.push_back(read_lamp(lamp, colors));
   if (const auto light = root.find("light")) read_light(*light, colors, contents);
+  contents.pictures = pictures.paths();
   return contents;
 }
 

@@ -30,7 +30,8 @@ struct SceneLamp {
 };
 
 struct SceneContents {
-  std::string path;  // of the file, for messages
+  std::string path;                   // of the file
+  std::vector<std::string> pictures;  // the files that its textures are read from
   std::vector<SceneSolid> solids;
   std::vector<SceneLamp> lamps;
   // Instead of the daylight's.

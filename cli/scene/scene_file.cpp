@@ -34,6 +34,7 @@ SceneFile scene_of(const JsonText& json, const std::string& path) {
   std::vector<std::string> keys{"$schema", "dems", "options"};
   keys.insert(keys.end(), contents_keys().begin(), contents_keys().end());
   root.check_keys(keys);
+  if (const auto schema = root.find("$schema")) static_cast<void>(schema->text());
   const std::string folder = std::filesystem::path(path).parent_path().string();
   SceneFile scene;
   scene.path = path;

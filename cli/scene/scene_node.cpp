@@ -8,21 +8,24 @@
 namespace terrview {
 namespace {
 
+constexpr std::size_t kMostShown = 40;
+
 // Of a text of whatever length, for a message of one line.
 std::string shown(const std::string& text) {
-  constexpr std::size_t kMost = 40;
-  std::string start = text.substr(0, kMost);
+  std::string start = text.substr(0, kMostShown);
   std::replace_if(
       start.begin(), start.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  return "'" + start + (text.size() > kMost ? "...'" : "'");
+  return "'" + start + (text.size() > kMostShown ? "...'" : "'");
 }
 
 }  // namespace
 
 void SceneNode::fail_unknown(const std::string& name, const std::vector<std::string>& names) const {
   const std::string what = shown(name) + ": nothing is called so here: ";
-  fail(what +
-       (names.empty() ? "leave it out" : "did you mean '" + nearest_name(names, name) + "'?"));
+  if (names.empty()) fail(what + "leave it out");
+  // Of long names, which take long to compare, the beginning.
+  const std::string nearest = nearest_name(names, name.substr(0, kMostShown));
+  fail(what + "did you mean " + shown(nearest) + "?");
 }
 
 void SceneNode::check_keys(const std::vector<std::string>& known) const {

@@ -1,6 +1,6 @@
 #include "cli/scene/scene_pictures.h"
 
-#include <vector>
+#include <filesystem>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -31,6 +31,8 @@ Raster<glm::u8vec4> pixels_of(const PictureSource& source) {
 
 std::shared_ptr<const PicturePyramid> ScenePictures::read(const SceneNode& name) {
   const std::string path = from_folder(name.text(), folder_);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) name.fail("is no file: name a picture");
   auto& picture = known_[path];
   if (!picture)
     picture = name.make([&] {
@@ -42,6 +44,12 @@ std::shared_ptr<const PicturePyramid> ScenePictures::read(const SceneNode& name)
       return std::make_shared<const PicturePyramid>(pixels_of(source));
     });
   return picture;
+}
+
+std::vector<std::string> ScenePictures::paths() const {
+  std::vector<std::string> paths;
+  for (const auto& [path, picture] : known_) paths.push_back(path);
+  return paths;
 }
 
 }  // namespace terrview

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/scene/scene_node.h"
 #include "render/picture_pyramid.h"
@@ -18,8 +19,12 @@ class ScenePictures {
   // Names of files are relative to `folder`.
   explicit ScenePictures(std::string folder) : folder_(std::move(folder)) {}
 
-  // Each file is read once. Throws InputError.
+  // Each file is read once. Throws InputError, also for what GDAL knows by a name but is no file
+  // here: a scene made by somebody else fetches nothing.
   [[nodiscard]] std::shared_ptr<const PicturePyramid> read(const SceneNode& name);
+
+  // Of the pictures that were read.
+  [[nodiscard]] std::vector<std::string> paths() const;
 
  private:
   std::string folder_;

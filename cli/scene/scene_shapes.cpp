@@ -138,11 +138,15 @@ SceneShapes::SceneShapes(const std::optional<SceneNode>& shapes, const SceneMate
 
 SceneShape SceneShapes::read(const SceneNode& node, const std::vector<std::string>& more_keys) {
   SceneShape shape = read_at(node, more_keys, 0);
+  count(shape, node);
+  return shape;
+}
+
+void SceneShapes::count(const SceneShape& shape, const SceneNode& node) {
   primitives_ += std::ssize(shape.materials);
   if (primitives_ > kMostInAll)
     node.fail("with this the scene has more than " + std::to_string(kMostInAll) +
               " primitives: make it simpler");
-  return shape;
 }
 
 SceneShape SceneShapes::read_at(const SceneNode& node, std::vector<std::string> keys, int depth) {
@@ -229,6 +233,7 @@ const SceneShape& SceneShapes::resolved(Named& named, const SceneNode& by, int d
   if (!named.shape) {
     named.is_being_read = true;
     named.shape = read_at(named.node, {}, depth + 1);
+    count(*named.shape, named.node);
     named.is_being_read = false;
   }
   return *named.shape;

@@ -25,7 +25,7 @@ struct SceneShape {
 class SceneShapes {
  public:
   static constexpr int kMostPrimitives = 10'000;    // of one solid
-  static constexpr int kMostInAll = 1'000'000;      // of all solids
+  static constexpr int kMostInAll = 1'000'000;      // of all solids and all named shapes
   static constexpr int kMostTriangles = 4'000'000;  // of all facetted spheres
   static constexpr int kDeepest = 500;              // tree
 
@@ -43,6 +43,7 @@ class SceneShapes {
     bool is_being_read = false;
   };
 
+  void count(const SceneShape& shape, const SceneNode& node);
   [[nodiscard]] SceneShape read_at(const SceneNode& node, std::vector<std::string> keys, int depth);
   [[nodiscard]] SceneShape untransformed(const SceneNode& node, const std::string& kind, int depth);
   [[nodiscard]] SceneShape combined(const SceneNode& node, const std::string& kind, int depth);

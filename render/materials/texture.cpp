@@ -40,10 +40,16 @@ glm::dmat2 seen_sides(const Placement& placement, const ShadingPoint& point, glm
   return {along(sides.across), along(sides.up)};
 }
 
+// No longer than a copy either way: the mean over one is about that over many.
+glm::dvec2 within_copy(const glm::dvec2& side) {
+  return side / std::max({1.0, std::abs(side.x), std::abs(side.y)});
+}
+
 // The mean of the picture's copies about a place, the alpha being that of what they cover.
-glm::vec3 repeated_mean(const PicturePyramid& picture, glm::dvec2 uv, const glm::dmat2& sides,
+glm::vec3 repeated_mean(const PicturePyramid& picture, glm::dvec2 uv, const glm::dmat2& seen,
                         bool repeats_v) {
   const glm::dvec2 size(picture.size_px());
+  const glm::dmat2 sides(within_copy(seen[0]), within_copy(seen[1]));
   const glm::dmat2 sides_px(size * glm::dvec2(sides[0].x, -sides[0].y),
                             size * glm::dvec2(sides[1].x, -sides[1].y));
   uv.x -= std::floor(uv.x);

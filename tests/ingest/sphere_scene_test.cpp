@@ -81,6 +81,12 @@ TEST(SphereScene, ComplaintsNameLineAndElement) {
   expect_refused(with(example(), "<indtriangulee>20", "<indtriangulee>2"), "from 3 to 1000");
 }
 
+TEST(SphereScene, MessagesAreShortWhateverTheNames) {
+  const std::string name(1'000'000, 'n');
+  EXPECT_LT(refusal_of("<" + name + "/>").size(), 500U);
+  EXPECT_LT(refusal_of("<scene><" + name + "/></scene>").size(), 500U);
+}
+
 TEST(SphereScene, NumbersAreFinite) {
   for (const char* number : {"nan", "inf", "1e308", "1e999", "0x10", "5O", "", "5 0", "5<!-- -->0",
                              "&five;", "<b>5</b>"})

@@ -1,4 +1,5 @@
 // JSON scenes that are broken, or made to do harm: one clear line each.
+#include <chrono>
 #include <string>
 
 #include "cli/scene/scene_contents.h"
@@ -118,6 +119,40 @@ TEST(HostileScene, CountsAreBounded) {
   expect_scene_refused("{\"materials\": {\"a\": {\"color\": " + shades + "}}}",
                        "give 1000 at most");
   expect_scene_refused(std::string((16 << 20) + 1, ' '), "is longer than 16 MiB");
+}
+
+TEST(HostileScene, NamedShapesCountWhetherTheyAreSeenOrNot) {
+  std::string shapes =
+      R"("a": {"kind": "union", "of": [)" + repeated("{" + kBall + "}", 10'000) + "]}";
+  for (int i = 0; i < 100; ++i)
+    shapes += ",\"b" + std::to_string(i) + R"(": {"kind": "shape", "name": "a"})";
+  expect_scene_refused("{\"shapes\": {" + shapes + "}}", "has more than 1000000 primitives");
+}
+
+TEST(HostileScene, KeysAndSchemasAreBounded) {
+  expect_scene_refused("{\n\"" + std::string(1001, 'A') + "\": 1}",
+                       "s.json:2: a key is longer than 1000 bytes");
+  expect_scene_refused(R"({"$schema": {"a": [0, 0]}})", "/$schema: give a text in quotes");
+}
+
+// The line of a mistake that follows many values under a long pointer.
+TEST(HostileScene, ALineIsFoundInTimeThatGrowsWithTheFile) {
+  std::string inner = "[" + repeated("0", 200'000) + "]";
+  for (int i = 0; i < 150; ++i) inner = "{\"" + std::string(900, 'A') + "\":" + inner + "}";
+  const std::string text = "{\"$schema\":" + inner + ",\n\"zzz\":1}";
+  const auto start = std::chrono::steady_clock::now();
+  expect_scene_refused(text, "s.json:2: /zzz: ");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(HostileScene, MessagesAreShortWhateverTheNames) {
+  const std::string name(900, 'n');
+  const std::string unknown(9000, 'm');
+  const std::string said =
+      refusal_of_scene("{\"materials\": {\"" + name + "\": {}}, \"solids\": [{" + kBall +
+                       R"(, "at-xy": [0, 0, 0], "material": ")" + unknown + "\"}]}");
+  EXPECT_NE(said.find("did you mean 'nnn"), std::string::npos) << said;
+  EXPECT_LT(said.size(), 500U);
 }
 
 TEST(HostileScene, NumbersAreFiniteAndOfAUsefulSize) {

@@ -1,6 +1,8 @@
 // Materials and shade trees of scene files: docs/scenes.md.
 #include "cli/scene/scene_materials.h"
 
+#include <filesystem>
+
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -85,7 +87,12 @@ TEST(SceneMaterials, TexturesAreMovedAndScaledInTheSolid) {
   EXPECT_GT(glm::distance(color_at(marble, {0.3, 0.4, 0.5}), color_at(moved, {0.3, 0.4, 0.5})), 0);
 }
 
-class PictureOfScene : public SmallPicture {};
+class PictureOfScene : public SmallPicture {
+ protected:
+  static std::string scene_with_picture(const std::string& file) {
+    return R"({"materials": {"a": {"color": {"kind": "picture", "file": ")" + file + "\"}}}}";
+  }
+};
 
 TEST_F(PictureOfScene, LiesOnTheUnitSquareAndIsFoundBesideTheScene) {
   write_picture("two.png", "PNG", 3, GDT_Byte,
@@ -95,6 +102,16 @@ TEST_F(PictureOfScene, LiesOnTheUnitSquareAndIsFoundBesideTheScene) {
   expect_color(color_at(shade, {0.7, 0.5, 0}, path("s.json")), {1, 0, 0});
   expect_color(color_at(shade, {1.2, 0.5, 0}, path("s.json")), {0, 0, 0});
   EXPECT_THROW(static_cast<void>(color_at(shade, {}, "s.json")), InputError);
+}
+
+TEST_F(PictureOfScene, IsAFileAndNothingElseThatGdalKnows) {
+  write_picture("two.png", "PNG", 3, GDT_Byte, [](int, int, int) { return 255; });
+  const std::string file = std::filesystem::absolute(path("two.png")).string();
+  EXPECT_EQ(refusal_of_scene(scene_with_picture(file)), "");
+  for (const std::string& name :
+       {"/vsisubfile/0," + file, "vrt://" + file, std::string("/vsicurl/http://localhost/a.png"),
+        std::string("<GDAL_WMS></GDAL_WMS>"), path("."), std::string()})
+    expect_scene_refused(scene_with_picture(name), "/color/file: is no file: name a picture");
 }
 
 TEST(SceneMaterials, ShadesThatAreNoneAreRefused) {

@@ -114,6 +114,35 @@ TEST_F(SceneView, AFileOfThatNameAfterViewIsADem) {
   expect_refused(run(words("folder.json")), {"folder.json", "is no file"});
 }
 
+TEST_F(SceneView, ItsTexturesAreNotReplaced) {
+  const std::string eye = R"("options": {"eye-xy": [0, 0, 0], "heading": 0, "size": "8x8"})";
+  write("plain.json",
+        "{" + eye + R"(, "solids": [{"kind": "sphere", "radius": 2, "at-xy": [0, 9, 0]}]})");
+  ASSERT_EQ(run(words("plain.json -q -o texture.png")).exit_code, 0);
+  const std::string before = bytes("texture.png");
+  write("s.json", "{" + eye + R"(, "solids": [{"kind": "sphere", "radius": 2, "at-xy": [0, 9, 0],
+    "material": {"color": {"kind": "picture", "file": "texture.png"}}}]})");
+  expect_refused(run(words("s.json -q --overwrite -o texture.png")),
+                 {"texture.png", "is read by this view"});
+  EXPECT_EQ(bytes("texture.png"), before);
+}
+
+// All ground is under water, so that what the ground looks like shows nowhere: neither in the
+// water, nor in a mirror over it, nor in the mirror's image in the water.
+TEST_F(SceneView, WaterHidesItsBedInEveryMirror) {
+  write("s.json", R"({"dems": ["plain.asc"],
+    "options": {"eye-xy": [400, 100, 380], "heading": 0, "pitch": -8, "size": "40x30",
+                "water": "350", "visibility": "inf"},
+    "solids": [{"kind": "box", "size": [120, 4, 120], "rotate": [20, 0, 0], "at-xy": [400, 250, 380],
+                "material": {"color": [0, 0, 0], "mirror": 1}}]})");
+  for (const char* colors : {"arid", "alpine"}) {
+    const Finished finished =
+        run(words("s.json -q -o") + Arguments{std::string(colors) + ".ppm", "--colors", colors});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+  }
+  EXPECT_EQ(bytes("arid.ppm"), bytes("alpine.ppm"));
+}
+
 TEST_F(SceneView, PlacesWithoutGroundAreRefusedByName) {
   write("s.json", R"({"dems": ["hills.tif"], "options": {"eye": [47.985, 6.99, 900], "size": "8x8"},
     "solids": [{"kind": "sphere", "radius": 2, "at": [40, 7, "+1"]}]})");

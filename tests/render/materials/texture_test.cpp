@@ -107,6 +107,29 @@ TEST(PictureTexture, IsItsMeanWhereAPixelCoversMuchOfIt) {
     expect_near(texture->at(seen_from_above({at, at / 2, 0}, 0.25)), glm::vec3(0.5F), 0.02);
 }
 
+// However many copies fall into a pixel, in one direction or in both.
+TEST(PictureTexture, IsItsMeanWhereAPixelCoversManyCopies) {
+  Raster<glm::u8vec4> picture(64, 16);
+  glm::vec3 mean(0);
+  for (int row = 0; row < 16; ++row)
+    for (int column = 0; column < 64; ++column) {
+      picture.at(column, row) = glm::u8vec4(4 * column, 255 - 15 * row, 128, 255);
+      mean += from_srgb8(4.0F * static_cast<float>(column), 255 - 15.0F * static_cast<float>(row),
+                         128) /
+              1024.0F;
+    }
+  const ColorShade texture = picture_texture(std::make_shared<const PicturePyramid>(picture), {});
+  const glm::dvec3 slanted = glm::normalize(glm::dvec3(0.3, -1, 0.02));
+  for (const double copies : {1.0, 3.0, 10.0, 1000.0})
+    for (const double at : {0.0, 0.3, 0.511, 0.98}) {
+      const glm::dvec3 place(at, at / 2, 0);
+      expect_near(texture->at(seen_from_above(place, copies)), mean, 0.03);
+      const ShadingPoint aslant{
+          .position_m = place, .towards_eye = slanted, .width_m = copies / 50};
+      EXPECT_NEAR(texture->at(aslant).b, mean.b, 0.01);
+    }
+}
+
 TEST(Checker, IsOneAndZeroByTurns) {
   const ScalarShade checks = checker({4, 2}, {});
   EXPECT_EQ(checks->at(seen_from_above({0.1, 0.1, 0})), 0);
