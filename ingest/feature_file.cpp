@@ -90,16 +90,15 @@ OGRFieldType type_of(FieldType type) {
 }
 
 std::unique_ptr<OGRGeometry> geometry_of(const FeatureRow& row, FeatureGeometry kind) {
-  if (kind == FeatureGeometry::point) {
-    const glm::dvec2 at = row.rings.front().front();
-    return std::make_unique<OGRPoint>(at.x, at.y);
-  }
+  if (kind == FeatureGeometry::point) return std::make_unique<OGRPoint>(row.point.x, row.point.y);
   auto polygons = std::make_unique<OGRMultiPolygon>();
-  for (const auto& ring : row.rings) {
-    auto outline = std::make_unique<OGRLinearRing>();
-    for (const glm::dvec2 at : ring) outline->addPoint(at.x, at.y);
+  for (const auto& rings : row.polygons) {
     auto polygon = std::make_unique<OGRPolygon>();
-    polygon->addRingDirectly(outline.release());
+    for (const auto& places : rings) {
+      auto ring = std::make_unique<OGRLinearRing>();
+      for (const glm::dvec2 at : places) ring->addPoint(at.x, at.y);
+      polygon->addRingDirectly(ring.release());
+    }
     polygons->addGeometryDirectly(polygon.release());
   }
   return polygons;

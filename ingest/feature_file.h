@@ -23,8 +23,9 @@ enum class FeatureGeometry { none, point, polygons };
 
 struct FeatureRow {
   std::vector<FieldValue> values;  // one for each field
-  // Of a point one ring of one place; of polygons their outlines, closed.
-  std::vector<std::vector<glm::dvec2>> rings = {};
+  glm::dvec2 point{0, 0};
+  // Closed rings: of each polygon the outer, then its holes.
+  std::vector<std::vector<std::vector<glm::dvec2>>> polygons = {};
 };
 
 // x of a place is to the east, whatever axis order the coordinate reference system prefers.

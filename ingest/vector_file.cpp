@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include <gdal_priv.h>
@@ -67,6 +69,30 @@ void describe_crs(OGRLayer& layer, VectorFile& file) {
   file.geographic = crs->IsGeographic() != 0;
 }
 
+// As ISO 8601, to the millisecond; with an offset from UTC only where the field has one.
+std::string date_time_text(const OGRFeature& feature, int field) {
+  constexpr int kLocalTime = 1;  // OGR's flags: 0 is unknown; others count quarters of an hour
+  constexpr int kUtc = 100;
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
+  float second = 0;
+  feature.GetFieldAsDateTime(field, &year, &month, &day, &hour, &minute, &second, &zone);
+  char text[96];
+  std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%06.3f", year, month, day, hour,
+                minute, static_cast<double>(second));
+  if (zone <= kLocalTime) return text;
+  if (zone == kUtc) return std::string(text) + "Z";
+  const int minutes = 15 * std::abs(zone - kUtc);
+  char offset[32];
+  std::snprintf(offset, sizeof offset, "%c%02d:%02d", zone < kUtc ? '-' : '+', minutes / 60,
+                minutes % 60);
+  return std::string(text) + offset;
+}
+
+std::string field_text(const OGRFeature& feature, int field) {
+  const bool is_time = feature.GetFieldDefnRef(field)->GetType() == OFTDateTime;
+  return is_time ? date_time_text(feature, field) : feature.GetFieldAsString(field);
+}
+
 }  // namespace
 
 const OGRGeometry* VectorFeature::geometry() const { return feature_.GetGeometryRef(); }
@@ -76,7 +102,7 @@ std::optional<std::string> VectorFeature::text(std::span<const std::string_view>
     for (int i = 0; i < feature_.GetFieldCount(); ++i) {
       if (!feature_.IsFieldSetAndNotNull(i)) continue;
       if (!same_name(feature_.GetFieldDefnRef(i)->GetNameRef(), name)) continue;
-      std::string value = feature_.GetFieldAsString(i);
+      std::string value = field_text(feature_, i);
       if (!value.empty()) return value;
     }
   }

@@ -26,7 +26,7 @@ class VectorFeature {
   [[nodiscard]] const OGRGeometry* geometry() const;
 
   // The first of the fields named that is set, not null and not empty. Names match whatever their
-  // case, and whether they have ':' or '_'.
+  // case, and ':' or '_'. Dates with a time are ISO 8601, with an offset only if the field has one.
   [[nodiscard]] std::optional<std::string> text(std::span<const std::string_view> names) const;
 
   // The names of the fields that features of this file have, parted by commas; the first twenty.

@@ -12,7 +12,7 @@
 namespace terrview {
 namespace {
 
-// A ray to a wall stops so far before it, so that it does not meet that wall.
+// Rays meet a wall to within so much.
 constexpr double kBefore_m = 1e-3;
 
 // An upright strip of a wall, through its middle.
@@ -74,19 +74,29 @@ double area_m2(const std::vector<Strip>& strips) {
   return sum_m2;
 }
 
-bool is_seen(const Scene& scene, const glm::dvec3& point_m) {
-  const Ray ray{.origin_m = {0, 0, 0},
-                .direction = glm::normalize(point_m),
-                .length_m = std::max(0.0, glm::length(point_m) - kBefore_m)};
-  return !scene.terrain->occluded(ray) && !scene.objects->set->stops(ray);
+// Whether the first that a ray meets is that wall of the parts: where another building's wall
+// coincides with it, the picture shows the one that ObjectSet has first.
+bool is_seen(const Scene& scene, std::span<const Prism* const> parts, const glm::dvec3& point_m) {
+  const double distance_m = glm::length(point_m);
+  Ray ray{.origin_m = {0, 0, 0},
+          .direction = glm::normalize(point_m),
+          .length_m = std::max(0.0, distance_m - kBefore_m)};
+  if (scene.terrain->occluded(ray)) return false;
+  ray.length_m = distance_m + kBefore_m;
+  const auto hit = scene.objects->set->first_hit(ray);
+  if (!hit) return true;
+  const Object* first = scene.objects->set->objects()[static_cast<std::size_t>(hit->object)].get();
+  const bool is_own = std::find(parts.begin(), parts.end(), first) != parts.end();
+  return is_own && hit->surface.distance_m > distance_m - kBefore_m;
 }
 
-FacadeSight strip_sight(const Scene& scene, const Strip& strip, int rows) {
+FacadeSight strip_sight(const Scene& scene, std::span<const Prism* const> parts, const Strip& strip,
+                        int rows) {
   const double part_m2 = strip.width_m * strip.height_m() / rows;
   FacadeSight sight{.facing_m2 = rows * part_m2};
   for (int row = 0; row < rows; ++row) {
     const glm::dvec3 point_m(strip.at_m, strip.foot_z_m + (row + 0.5) / rows * strip.height_m());
-    if (is_seen(scene, point_m))
+    if (is_seen(scene, parts, point_m))
       sight += {.seen_m2 = part_m2, .nearest_m = point_m, .farthest_m = point_m};
   }
   return sight;
@@ -123,7 +133,7 @@ FacadeSight facade_sight(const Scene& scene, std::span<const Prism* const> parts
   std::vector<FacadeSight> sights(strips.size());
   parallel_for(static_cast<int>(strips.size()), options.threads, [&](int index) {
     const auto i = static_cast<std::size_t>(index);
-    sights[i] = strip_sight(scene, strips[i], count_of(strips[i].height_m(), step_m));
+    sights[i] = strip_sight(scene, parts, strips[i], count_of(strips[i].height_m(), step_m));
   });
   FacadeSight sight;
   for (const FacadeSight& one : sights) sight += one;

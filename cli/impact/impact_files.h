@@ -29,6 +29,7 @@ class ImpactFiles {
   ImpactFiles(const ImpactFiles&) = delete;
   ImpactFiles& operator=(const ImpactFiles&) = delete;
 
+  // Files of a study that stood there before, and are none of these, are removed.
   void commit();
 
   std::vector<OfViewpoint> viewpoints;
@@ -38,8 +39,11 @@ class ImpactFiles {
   std::unique_ptr<OutputFile> report;
 
  private:
+  void remove_made() const;
+
   std::filesystem::path folder_;
-  bool made_folder_ = false;
+  std::filesystem::path made_;                 // the topmost folder that was made; may be empty
+  std::vector<std::filesystem::path> former_;  // files of the study that is replaced
 };
 
 }  // namespace terrview

@@ -42,10 +42,11 @@ class MapLattice {
       low_uv = glm::min(low_uv, uv_of(place));
       high_uv = glm::max(high_uv, uv_of(place));
     };
-    for (const ViewpointStudy& viewpoint : study.viewpoints) hold(viewpoint.viewpoint.place);
+    for (const ViewpointStudy& viewpoint : study.viewpoints)
+      if (viewpoint.error.empty()) hold(viewpoint.viewpoint.place);
     for (const ProjectBuilding& building : study.project.buildings)
-      for (const auto& outline : building.outlines)
-        for (const PlanPlace place : outline) hold(place);
+      for (const PlanPolygon& part : building.parts)
+        for (const PlanPlace place : part.front()) hold(place);
     lay(low_uv, high_uv);
   }
 
@@ -127,11 +128,17 @@ std::string point_text(glm::dvec2 at) { return svg_number(at.x, 1) + "," + svg_n
 std::string project_shapes(const MapLattice& map, const Project& project) {
   std::string shapes;
   for (const ProjectBuilding& building : project.buildings) {
-    for (const auto& outline : building.outlines) {
-      std::string points;
-      for (const PlanPlace place : outline)
-        points += (points.empty() ? "" : " ") + point_text(map.pixel_of(place));
-      shapes += "<polygon class=\"project\" points=\"" + points + "\"/>\n";
+    for (const PlanPolygon& part : building.parts) {
+      std::string path;
+      for (const auto& ring : part) {
+        char command = 'M';
+        for (const PlanPlace place : ring) {
+          path += command + point_text(map.pixel_of(place));
+          command = 'L';
+        }
+        path += "Z";
+      }
+      shapes += "<path class=\"project\" fill-rule=\"evenodd\" d=\"" + path + "\"/>\n";
     }
   }
   const glm::dvec2 at = map.pixel_of(project.middle);
@@ -143,6 +150,7 @@ std::string viewpoint_marks(const MapLattice& map, const ImpactStudy& study) {
   std::string marks;
   const glm::dvec2 middle = map.pixel_of(study.project.middle);
   for (const ViewpointStudy& viewpoint : study.viewpoints) {
+    if (!viewpoint.error.empty()) continue;
     const glm::dvec2 at = map.pixel_of(viewpoint.viewpoint.place);
     const bool seen = viewpoint.project.is_seen();
     if (seen)

@@ -213,7 +213,8 @@ class ViewpointWork {
     study_.ground_m = with.view.frame.eye().ground_m;
     study_.sun = with.view.sun;
     study_.warnings = warnings_of(with.view);
-    const PictureChange change = picture_change(without.frame, with.frame, ground_.project.before);
+    const PictureChange change =
+        picture_change(without.frame, with.frame, ground_.project.before, ground_.project.last);
     measure(with, change, ground_.project, options.view.threads, study_);
     study_.pictures.before_jpg = write_picture(before, without, *files_.before);
     study_.pictures.after_jpg = write_picture(after, with, *files_.after);

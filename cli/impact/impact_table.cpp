@@ -111,7 +111,7 @@ FeatureLayer viewpoints_layer(const ImpactStudy& study) {
     layer.fields.insert(layer.fields.end(), fields.begin(), fields.end());
   for (const ViewpointStudy& viewpoint : study.viewpoints) {
     FeatureRow& row = layer.rows.emplace_back();
-    row.rings = {{viewpoint.viewpoint.place}};
+    row.point = viewpoint.viewpoint.place;
     row.values = {std::int64_t{viewpoint.viewpoint.number}, viewpoint.name};
     if (viewpoint.error.empty()) {
       append(row.values,
@@ -138,7 +138,7 @@ FeatureLayer buildings_layer(const ImpactStudy& study) {
       return i < one.buildings.size() && one.buildings[i].is_seen();
     });
     FeatureRow& row = layer.rows.emplace_back();
-    row.rings = building.outlines;
+    row.polygons = building.parts;
     row.values = building_values(building);
     append(row.values, {building.height_m, std::int64_t{seen_from}});
   }

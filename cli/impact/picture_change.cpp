@@ -34,14 +34,15 @@ void compare_horizons(const Raster<PixelSample>& without, const Raster<PixelSamp
 
 }  // namespace
 
-PictureChange picture_change(const Frame& without, const Frame& with, std::int32_t before) {
+PictureChange picture_change(const Frame& without, const Frame& with, std::int32_t before,
+                             std::int32_t last) {
   const glm::vec3 project(1);
   const glm::vec3 other = from_srgb8(128, 128, 128);
   PictureChange change{.mask = Image(with.image.width_px(), with.image.height_px())};
   for (int row = 0; row < with.image.height_px(); ++row) {
     for (int column = 0; column < with.image.width_px(); ++column) {
       const std::int32_t id = with.samples.at(column, row).object_id;
-      const bool shows_project = id > before;
+      const bool shows_project = id > before && id <= last;
       if (shows_project) ++change.building_px[id];
       if (same_bytes(without.image.at(column, row), with.image.at(column, row))) continue;
       ++change.changed_px;

@@ -17,9 +17,9 @@ struct PictureChange {
 };
 
 // Of two frames of one camera, with their samples; the objects of the project have ids above
-// `before`. A pixel is the same where 8 bits of sRGB are. Sky and ground meet in the highest pixel
-// of a column whose middle shows ground or an object, if that is not the topmost.
+// `before` up to `last`. A pixel is the same where 8 bits of sRGB are. Sky and ground meet in the
+// highest pixel of a column whose middle shows ground or an object, if that is not the topmost.
 [[nodiscard]] PictureChange picture_change(const Frame& without, const Frame& with,
-                                           std::int32_t before);
+                                           std::int32_t before, std::int32_t last);
 
 }  // namespace terrview

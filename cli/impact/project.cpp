@@ -32,6 +32,32 @@ EyePlace above(const FootprintFile& file, const ViewOptions& options,
   return place;
 }
 
+// The middle of the widest stretch of the footprint on some lines from west to east.
+glm::dvec2 middle_of_widest(const Polygon& footprint) {
+  constexpr int kLines = 32;
+  const glm::dvec2 size_m = footprint.highest() - footprint.lowest();
+  glm::dvec2 middle_m = footprint.vertices().front();
+  double widest_m = 0;
+  Polygon::Crossings crossings;
+  for (int i = 0; i < kLines; ++i) {
+    const glm::dvec2 west_m = footprint.lowest() + glm::dvec2(0, (i + 0.5) / kLines * size_m.y);
+    footprint.cross(west_m, {1, 0}, crossings);
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+      const double width_m = crossings[k + 1].t - crossings[k].t;
+      if (!(width_m > widest_m)) continue;
+      widest_m = width_m;
+      middle_m = west_m + glm::dvec2(crossings[k].t + width_m / 2, 0);
+    }
+  }
+  return middle_m;
+}
+
+// That of the bounding box, unless a bend or a courtyard leaves no roof there.
+glm::dvec2 middle_of(const Polygon& footprint) {
+  const glm::dvec2 middle_m = (footprint.lowest() + footprint.highest()) / 2.0;
+  return footprint.contains(middle_m) ? middle_m : middle_of_widest(footprint);
+}
+
 class ProjectPlacer {
  public:
   ProjectPlacer(const ViewFrame& frame, Project& project) : frame_(frame), project_(project) {}
@@ -76,14 +102,16 @@ class ProjectPlacer {
 
   void add_part(const Prism& part, ProjectBuilding& building) {
     const Polygon& footprint = part.footprint();
-    std::vector<PlanPlace>& outline = building.outlines.emplace_back();
+    PlanPolygon& rings = building.parts.emplace_back(1);
     for (std::size_t i = 0; i < footprint.vertices().size(); ++i) {
       const glm::dvec2 corner_m = footprint.vertices()[i];
-      outline.push_back(place_of(corner_m));
-      if (!footprint.is_edge(i)) break;  // the last of the outline, which is the first again
-      add_roof_point(part, corner_m);
+      rings.back().push_back(place_of(corner_m));
+      if (footprint.is_edge(i))
+        add_roof_point(part, corner_m);
+      else if (i + 1 < footprint.vertices().size())
+        rings.emplace_back();
     }
-    add_roof_point(part, (footprint.lowest() + footprint.highest()) / 2.0);
+    add_roof_point(part, middle_of(footprint));
     low_m_ = glm::min(low_m_, footprint.lowest());
     high_m_ = glm::max(high_m_, footprint.highest());
   }
@@ -111,6 +139,7 @@ Project read_project(const ViewOptions& options, std::size_t files, const std::v
   placed.next_id = project.before + 1;
   for (std::size_t i = existing; i < read.size(); ++i)
     static_cast<void>(place_buildings(*read[i], frame, options.objects.placing, placed));
+  project.last = placed.next_id - 1;
   if (placed.features.empty())
     throw InputError("'" + paths.back() +
                      "': none of its features lies on the ground of the DEM with an area and a "

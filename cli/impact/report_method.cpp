@@ -98,9 +98,14 @@ line from the eye: of walls to within a fiftieth of the building's size.</dd>
 <dt>Horizon changed</dt><dd>Of the picture's columns that show where the sky begins, the share where it
 begins at another row than before. It is off by up to two columns for each stretch that changes, and
 does not tell of changes under a pixel.</dd>
-<dt>Zone of theoretical visibility</dt><dd>The posts of the elevation model from which the straight line
+)html";
+
+constexpr const char* kZoneDefinition =
+    R"html(<dt>Zone of theoretical visibility</dt><dd>The posts of the elevation model from which the straight line
 to a corner or the middle of a roof of the project is free. The project itself hides nothing.</dd>
-</dl>
+)html";
+
+constexpr const char* kLimits = R"html(</dl>
 <h3>What is not modelled</h3>
 <p>Trees, walls and buildings that are in none of the files, unless they are part of the elevation
 model; relief finer than its posts; windows, materials and lighting of the project beyond the colours of
@@ -113,7 +118,8 @@ judgement: how much a change matters is for people to say.</p>
 std::string method_section(const ReportParts& parts) {
   std::string section = "<section id=\"method\">\n<h2>Method</h2>\n<h3>Data</h3>\n";
   for (const Dem& dem : parts.dems) section += dem_facts(dem);
-  return section + "<h3>Study</h3>\n" + study_facts(parts) + kDefinitions + "</section>\n";
+  return section + "<h3>Study</h3>\n" + study_facts(parts) + kDefinitions +
+         (parts.zone != nullptr ? kZoneDefinition : "") + kLimits + "</section>\n";
 }
 
 }  // namespace terrview

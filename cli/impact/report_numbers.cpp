@@ -53,6 +53,14 @@ std::string number_cell(const std::string& text) {
   return "<td class=\"n\">" + html_text(text) + "</td>";
 }
 
+std::string column_head(const std::string& text) {
+  return "<th scope=\"col\">" + html_text(text) + "</th>";
+}
+
+std::string number_head(const std::string& text) {
+  return "<th scope=\"col\" class=\"n\">" + html_text(text) + "</th>";
+}
+
 std::string pair(const std::string& name, const std::string& text) {
   return "<dt>" + html_text(name) + "</dt><dd>" + html_text(text) + "</dd>\n";
 }

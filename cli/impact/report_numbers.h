@@ -28,6 +28,9 @@ inline constexpr const char* kNothing = "\u2013";
 // <td>s: a class of n is for numbers. `text` is no HTML yet.
 [[nodiscard]] std::string cell(const std::string& text);
 [[nodiscard]] std::string number_cell(const std::string& text);
+// <th>s of columns, likewise.
+[[nodiscard]] std::string column_head(const std::string& text);
+[[nodiscard]] std::string number_head(const std::string& text);
 // <dt> and <dd>.
 [[nodiscard]] std::string pair(const std::string& name, const std::string& text);
 

@@ -17,12 +17,17 @@ std::string lead(const ReportParts& parts) {
   const ImpactStudy& study = parts.study;
   const auto seeing = std::ranges::count_if(
       study.viewpoints, [](const ViewpointStudy& one) { return one.project.is_seen(); });
+  const auto failed = std::ranges::count_if(
+      study.viewpoints, [](const ViewpointStudy& one) { return !one.error.empty(); });
   double highest_m = 0;
   for (const ProjectBuilding& building : study.project.buildings)
     highest_m = std::max(highest_m, building.height_m);
   return "<p class=\"lead\">The project, " + counted(study.project.buildings.size(), "building") +
          " up to " + short_number(highest_m) + " m high, is seen from " + std::to_string(seeing) +
-         " of " + counted(study.viewpoints.size(), "viewpoint") + ".</p>\n";
+         " of " + counted(study.viewpoints.size() - static_cast<std::size_t>(failed), "viewpoint") +
+         (failed > 0 ? "; " + std::to_string(failed) + (failed == 1 ? " has" : " have") + " no view"
+                     : std::string()) +
+         ".</p>\n";
 }
 
 // The share of the ground from which some roof point is seen, and its area.
@@ -68,19 +73,19 @@ std::string row_of(const ViewpointStudy& one) {
 std::string viewpoint_table(const ImpactStudy& study) {
   std::string table =
       "<div class=\"wide\"><table><caption>What is seen of the project from each viewpoint; the "
-      "terms are explained under Method.</caption><thead><tr><th class=\"n\">No.</th>"
-      "<th>Viewpoint</th><th>Seen</th><th class=\"n\">Nearest point seen</th>"
-      "<th class=\"n\">Solid angle, msr</th><th class=\"n\">Facade seen</th>"
-      "<th class=\"n\">Horizon changed</th><th class=\"n\">Pixels</th></tr></thead><tbody>\n";
+      "terms are explained under Method.</caption><thead><tr>" +
+      number_head("No.") + column_head("Viewpoint") + column_head("Seen") +
+      number_head("Nearest point seen") + number_head("Solid angle, msr") +
+      number_head("Facade seen") + number_head("Horizon changed") + number_head("Pixels") +
+      "</tr></thead><tbody>\n";
   for (const ViewpointStudy& viewpoint : study.viewpoints) table += row_of(viewpoint);
   return table + "</tbody></table></div>\n";
 }
 
 std::string building_table(const ImpactStudy& study) {
-  std::string table =
-      "<table><caption>The buildings of the project.</caption><thead><tr><th class=\"n\">No.</th>"
-      "<th>Building</th><th class=\"n\">Height, m</th><th class=\"n\">Seen from viewpoints</th>"
-      "</tr></thead><tbody>\n";
+  std::string table = "<table><caption>The buildings of the project.</caption><thead><tr>" +
+                      number_head("No.") + column_head("Building") + number_head("Height, m") +
+                      number_head("Seen from viewpoints") + "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < study.project.buildings.size(); ++i) {
     const ProjectBuilding& building = study.project.buildings[i];
     std::string seen_from;

@@ -43,11 +43,10 @@ std::string row_of(const std::string& name, const SightNumbers& numbers, bool is
 
 std::string numbers_table(const Project& project, const ViewpointStudy& viewpoint) {
   std::string table =
-      "<div class=\"wide\"><table><caption>What is seen, by building.</caption><thead><tr>"
-      "<th>Building</th><th class=\"n\">Pixels</th><th class=\"n\">Solid angle, msr</th>"
-      "<th class=\"n\">Facade seen</th><th class=\"n\">Facade, m²</th>"
-      "<th class=\"n\">Nearest point</th><th class=\"n\">Farthest point</th>"
-      "</tr></thead><tbody>\n";
+      "<div class=\"wide\"><table><caption>What is seen, by building.</caption><thead><tr>" +
+      column_head("Building") + number_head("Pixels") + number_head("Solid angle, msr") +
+      number_head("Facade seen") + number_head("Facade, m²") + number_head("Nearest point") +
+      number_head("Farthest point") + "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < project.buildings.size(); ++i) {
     const ProjectBuilding& building = project.buildings[i];
     table += row_of(
@@ -94,7 +93,9 @@ std::string facts(const Project& project, const ViewpointStudy& viewpoint) {
          pair("Camera", camera_words(viewpoint.camera)) + pair("Sun", sun_words(viewpoint.sun)) +
          pair("Nearest point seen", point_words(viewpoint.project.nearest, project.geographic)) +
          pair("Farthest point seen", point_words(viewpoint.project.farthest, project.geographic)) +
-         pair("Horizon changed", percent(viewpoint.horizon_changed) + " of the picture's horizon") +
+         pair("Horizon changed",
+              percent(viewpoint.horizon_changed) +
+                  (viewpoint.horizon_changed ? " of the picture's horizon" : "")) +
          pair("Picture changed", percent(static_cast<double>(viewpoint.changed_px) / pixels) +
                                      " of its pixels, shadows and reflections included") +
          "</dl>\n";
@@ -111,10 +112,12 @@ std::string other_pictures(const StudyPictures& pictures) {
 
 std::string reproduction(const ViewpointStudy& viewpoint) {
   return "<h3>The pictures again</h3>\n<pre>" + html_text(viewpoint.before_command) + "\n" +
-         html_text(viewpoint.after_command) + "</pre>\n<details><summary>Scene file (" +
-         html_text(viewpoint.scene_name) + ")</summary><pre>" + html_text(viewpoint.scene) +
-         "</pre></details>\n<details><summary>Camera</summary><pre>" +
-         html_text(camera_json(viewpoint.camera).dump(2)) + "</pre></details>\n";
+         html_text(viewpoint.after_command) + "</pre>\n<p>The scene file is <code>" +
+         html_text(viewpoint.scene_name) +
+         "</code>, beside this report. The camera, exactly:</p>\n<pre>" +
+         html_text(camera_json(viewpoint.camera).dump()) +
+         "</pre>\n<details><summary>Scene file</summary><pre>" + html_text(viewpoint.scene) +
+         "</pre></details>\n";
 }
 
 }  // namespace

@@ -18,12 +18,16 @@ std::vector<FeatureLayer> two_layers() {
       .crs_wkt = "EPSG:4326",
       .fields = {
           {"name", FieldType::text}, {"count", FieldType::integer}, {"share", FieldType::real}}};
-  places.rows.push_back({{"Aäß <b>", std::int64_t{5'000'000'000}, 0.125}, {{{7, 48}}}});
-  places.rows.push_back({{{}, {}, {}}, {{{8, 47}}}});
+  places.rows.push_back({{"Aäß <b>", std::int64_t{5'000'000'000}, 0.125}, {7, 48}});
+  places.rows.push_back({{{}, {}, {}}, {8, 47}});
   FeatureLayer blocks{.name = "blocks",
                       .geometry = FeatureGeometry::polygons,
                       .fields = {{"number", FieldType::integer}}};
-  blocks.rows.push_back({{std::int64_t{1}}, {{{0, 0}, {1, 0}, {1, 1}, {0, 0}}}});
+  // A triangle, and a square with a courtyard.
+  blocks.rows.push_back({.values = {std::int64_t{1}},
+                         .polygons = {{{{0, 0}, {1, 0}, {1, 1}, {0, 0}}},
+                                      {{{2, 0}, {6, 0}, {6, 4}, {2, 4}, {2, 0}},
+                                       {{3, 1}, {3, 3}, {5, 3}, {5, 1}, {3, 1}}}}});
   const FeatureLayer table{
       .name = "table", .fields = {{"x", FieldType::real}}, .rows = {{{1.5}}, {{FieldValue()}}}};
   return {places, blocks, table};
@@ -46,7 +50,8 @@ TEST(FeatureFile, KeepsLayersFieldsAndPlaces) {
   const OGRFeatureUniquePtr second(places.GetNextFeature());
   EXPECT_TRUE(second->IsFieldNull(0) || !second->IsFieldSet(0));
   const OGRFeatureUniquePtr block(dataset->GetLayerByName("blocks")->GetNextFeature());
-  EXPECT_EQ(OGR_G_Area(OGRGeometry::ToHandle(block->GetGeometryRef())), 0.5);
+  EXPECT_EQ(OGR_G_Area(OGRGeometry::ToHandle(block->GetGeometryRef())), 0.5 + 16 - 4);
+  EXPECT_TRUE(block->GetGeometryRef()->IsValid());
   EXPECT_EQ(dataset->GetLayerByName("table")->GetFeatureCount(), 2);
   EXPECT_EQ(dataset->GetLayerByName("table")->GetGeomType(), wkbNone);
 }

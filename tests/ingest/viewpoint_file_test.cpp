@@ -1,6 +1,8 @@
 // One test per promise of ingest/viewpoint_file.h.
 #include "ingest/viewpoint_file.h"
 
+#include <ogrsf_frmts.h>
+
 #include "terrain/error.h"
 #include "tests/ingest/test_raster.h"
 
@@ -60,6 +62,37 @@ TEST_F(Viewpoints, AreReadWithTheirNamesHeightsAndOptions) {
   EXPECT_EQ(found[1].name, "7");
   EXPECT_NEAR(*found[1].eye_height_m, 6 * 0.3048, 1e-9);
   EXPECT_EQ(found[1].options, (std::map<std::string, std::string>{{"heading", "0"}}));
+}
+
+// OGR makes dates of such texts, whose own text is no ISO 8601.
+TEST_F(Viewpoints, KeepTheirTimesAndOffsetsInAnyFormat) {
+  const std::string times[] = {"2026-06-21T15:00:00Z", "2026-06-21T15:00:30.250+05:45",
+                               "2026-06-21T15:00:00-08:00", "2026-06-21T15:00:00"};
+  std::string features;
+  for (const std::string& time : times)
+    features += (features.empty() ? "" : ",") + point(R"({"time":")" + time + R"("})");
+  const auto times_of = [](const ViewpointFile& file) {
+    std::vector<std::string> found;
+    for (const Viewpoint& viewpoint : file.viewpoints)
+      found.push_back(viewpoint.options.at("time"));
+    return found;
+  };
+  EXPECT_EQ(times_of(read(features, utm_)),
+            (std::vector<std::string>{"2026-06-21T15:00:00.000Z", "2026-06-21T15:00:30.250+05:45",
+                                      "2026-06-21T15:00:00.000-08:00", "2026-06-21T15:00:00.000"}));
+
+  const std::string first = point(R"({"time":"2026-06-21T15:00:00Z"})");
+  write_text(folder_ / "z.geojson", collection(first));
+  {
+    const GDALDatasetUniquePtr from(
+        GDALDataset::Open((folder_ / "z.geojson").c_str(), GDAL_OF_VECTOR));
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+    const GDALDatasetUniquePtr to(
+        driver->Create((folder_ / "z.gpkg").c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    ASSERT_NE(to->CopyLayer(from->GetLayer(0), "z"), nullptr);
+  }
+  EXPECT_EQ(times_of(read_viewpoints(folder_ / "z.gpkg", utm_)),
+            std::vector<std::string>{"2026-06-21T15:00:00.000Z"});
 }
 
 TEST_F(Viewpoints, OfAFileWithoutASystemAreInThatOfTheDem) {

@@ -61,6 +61,16 @@ TEST(Facade, BehindAWallIsSeenOverIt) {
   EXPECT_NEAR(seen.seen_m2 / seen.facing_m2, (40 - 100 * 10 / 50.0) / 45, 0.01);
 }
 
+// A building stands already in the outline of a higher one: pictures show the former up to its top.
+TEST(Facade, ThatCoincidesWithAnEarlierBuildingsIsSeenAboveItAlone) {
+  const auto old = block({-10, 100}, {10, 130}, 10);
+  const auto planned = block({-10, 100}, {10, 130}, 40);
+  const std::vector<const Prism*> parts{planned.get()};
+  const FacadeSight seen = facade_sight(scene_of({old, planned}), parts);
+  EXPECT_NEAR(seen.facing_m2, 20 * 45, 1e-6);
+  EXPECT_NEAR(seen.seen_m2 / seen.facing_m2, 30 / 45.0, 0.01);
+}
+
 TEST(Facade, OfACourtCountsTheWallsThatFaceTheEye) {
   const std::vector<Polygon::Ring> rings{{{-30, 100}, {30, 100}, {30, 160}, {-30, 160}},
                                          {{-20, 110}, {20, 110}, {20, 150}, {-20, 150}}};

@@ -182,7 +182,12 @@ TEST_F(Impact, GoesOnWhereAViewpointHasNoView) {
       << done.err;
   EXPECT_EQ(names_in(path("out")).count("01_after.png"), 1U);
   EXPECT_EQ(names_in(path("out")).count("02_after.png"), 0U);
-  EXPECT_TRUE(says(bytes("out/report.html"), {"There is no view from here: --fov"}));
+  const std::string report = bytes("out/report.html");
+  EXPECT_TRUE(says(report, {"There is no view from here: --fov",
+                            "is seen from 1 of 1 viewpoint; 2 have no view."}));
+  // The map does not reach for a place beside the ground.
+  EXPECT_EQ(report.find("Off the ground</title>"), std::string::npos);
+  EXPECT_NE(report.find(">20 m</text>"), std::string::npos);
 }
 
 TEST_F(Impact, RefusesWhatCannotBeInOneLineAndLeavesNothing) {
@@ -218,11 +223,28 @@ TEST_F(Impact, ReplacesAStudyOnlyWhenTold) {
   EXPECT_EQ(names_in(path("out")).count("zone.tif"), 0U);
 }
 
+TEST_F(Impact, LeavesNoFileOfTheStudyItReplaces) {
+  ASSERT_EQ(study().exit_code, 0);
+  write_text(path("out/7_before.png"), "mine");
+  write_text(path("out/notes.txt"), "mine");
+  write_text(path("points.geojson"), R"({"type":"FeatureCollection","features":[)" +
+                                         point(R"("name":"South")", "390,50") + "," +
+                                         point(R"("name":"Off the ground")", "9000,50") + "]}");
+  EXPECT_EQ(study("--zone off --overwrite").exit_code, 3);
+  EXPECT_EQ(names_in(path("out")),
+            (std::set<std::string>{"01_before.png", "01_after.png", "01_difference.png",
+                                   "01_wireline.svg", "01_scene.json", "7_before.png", "impact.csv",
+                                   "impact.gpkg", "notes.txt", "report.html"}));
+  expect_refused(run(words("impact plain.asc -q --buildings new.geojson --viewpoints "
+                           "out/01_scene.json -o out --overwrite --zone off")),
+                 {"out/01_scene.json"});
+}
+
 TEST_F(Impact, InterruptedLeavesNothing) {
   Program program(words("impact plain.asc -q --existing old.geojson --buildings new.geojson "
-                        "--viewpoints points.geojson --size 1600x1200 --samples 16 -o out"),
+                        "--viewpoints points.geojson --size 1600x1200 --samples 16 -o new/out"),
                   folder_.path().string());
-  while (!std::filesystem::exists(path("out")) || names_in(path("out")).empty())
+  while (!std::filesystem::exists(path("new/out")) || names_in(path("new/out")).empty())
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   program.send(SIGINT);
   const Finished finished = program.wait();

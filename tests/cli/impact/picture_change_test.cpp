@@ -34,7 +34,7 @@ TEST(PictureChange, MasksWhatDiffersInEightBits) {
   after.image.at(1, 0) = from_srgb8(101, 100, 100);
   after.image.at(0, 1) = from_srgb8(100, 100, 99);
   after.image.at(2, 1).x += 1e-6F;  // the same byte
-  const PictureChange change = picture_change(before, after, 1);
+  const PictureChange change = picture_change(before, after, 1, 2);
   EXPECT_EQ(change.changed_px, 2);
   EXPECT_EQ(change.mask.at(1, 0), glm::vec3(1)) << "the project";
   EXPECT_EQ(change.mask.at(0, 1), from_srgb8(128, 128, 128)) << "its shadow";
@@ -44,19 +44,20 @@ TEST(PictureChange, MasksWhatDiffersInEightBits) {
 
 TEST(PictureChange, CountsTheProjectsPixelsByBuilding) {
   const PictureChange change =
-      picture_change(frame_of({"1..", "..."}), frame_of({"13.", "322"}), 1);
-  EXPECT_EQ(change.building_px, (std::map<std::int32_t, std::int64_t>{{2, 2}, {3, 2}}));
+      picture_change(frame_of({"1..", "..4"}), frame_of({"134", "322"}), 1, 3);
+  EXPECT_EQ(change.building_px, (std::map<std::int32_t, std::int64_t>{{2, 2}, {3, 2}}))
+      << "4 is a tree";
 }
 
 TEST(PictureChange, FindsTheColumnsWhoseHorizonMoves) {
   // A column of sky alone, one of ground alone, one that stays, two that rise: one of them from
   // nothing.
   const PictureChange change = picture_change(frame_of({" .   ", " . . ", " ... "}),
-                                              frame_of({" .   ", " . 2 ", " ..22"}), 1);
+                                              frame_of({" .   ", " . 2 ", " ..22"}), 1, 3);
   EXPECT_EQ(change.horizon_columns, 3);
   EXPECT_EQ(change.changed_columns, 1);
   const PictureChange higher =
-      picture_change(frame_of({"   ", "   ", "..."}), frame_of({" 2 ", " 2 ", ".2."}), 1);
+      picture_change(frame_of({"   ", "   ", "..."}), frame_of({" 2 ", " 2 ", ".2."}), 1, 3);
   EXPECT_EQ(higher.horizon_columns, 3);
   EXPECT_EQ(higher.changed_columns, 1) << "beyond the picture's top, too";
 }
