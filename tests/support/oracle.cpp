@@ -215,8 +215,11 @@ struct CellView {
     return scene_height_m(grid, terrain.model(), cell, at.uv.u, at.uv.v, terrain.frame().z_scale);
   }
 
-  // On a line it takes the posts of that line alone: others may have no height.
+  // On a line it takes the posts of that line alone: others may have no height. Crossings on the
+  // rim may be rounded over it.
   [[nodiscard]] Real band_height(Uv uv) const {
+    uv.u = std::clamp<Real>(uv.u, 0, grid.columns - 1);
+    uv.v = std::clamp<Real>(uv.v, 0, grid.rows - 1);
     const auto column = static_cast<int>(uv.u);
     const auto row = static_cast<int>(uv.v);
     const Real p = uv.u - column;
