@@ -20,8 +20,8 @@ namespace {
 
 // Sectors reach this far beyond what their corners say: above rounding, and above the bulge of a
 // ring between the edges of a wedge. Where tracks bend, also above what they stray from the lines
-// between the corners.
-constexpr double kStraightMargin_cells = 0.02;
+// between the corners. Rays that look at floats stray by up to half of it.
+constexpr double kStraightMargin_cells = 0.03;
 constexpr double kBentMargin_cells = 4 * GroundMap::kTrackError_cells;
 
 // The most posts along u or v that a metre of ground is worth.
@@ -56,12 +56,15 @@ int bin_of(double slope) {
   return std::min(static_cast<int>(start_bin(slope)), EyeFront::kStartBins - 1);
 }
 
+// Above the rounding with which a ray finds its bin in floats, in bins.
+constexpr double kBinMargin = 1e-3;
+
 // By bin, the inverse of its lowest slope: that of the ray which meets the ground first.
 const std::array<float, EyeFront::kStartBins>& inverse_bin_slopes() {
   static const auto inverses = [] {
     std::array<float, EyeFront::kStartBins> values{};
     for (std::size_t bin = 0; bin < values.size(); ++bin) {
-      const double q = static_cast<double>(bin) / (EyeFront::kStartBins / 2) - 1;
+      const double q = (static_cast<double>(bin) - kBinMargin) / (EyeFront::kStartBins / 2) - 1;
       values[bin] = static_cast<float>((1 - std::abs(q)) / (EyeFront::kHalfwaySlope * q));
     }
     return values;
@@ -96,6 +99,7 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
       last_bin_(bin_of(options.highest_slope)) {
   lay_rings(2.0 / wedges_a_side_);
   index_rings();
+  near_m_.assign(ring_m_.begin(), ring_m_.end());
   const auto wedges = static_cast<std::size_t>(4 * wedges_a_side_);
   const auto ring_count = static_cast<std::size_t>(rings());
   bounds_ = std::make_unique_for_overwrite<float[]>(wedges * (ring_count + 1));
@@ -193,8 +197,6 @@ void EyeFront::make_coarse_bounds(int group) const {
 }
 
 void EyeFront::make_starts(int group) const {
-  // Above the rounding with which a ray finds its bin.
-  constexpr double kBinMargin = 1e-9;
   // Above that of the floats.
   constexpr float kShrink = 1 - 0x1p-20F;
   constexpr float kNever = std::numeric_limits<float>::infinity();

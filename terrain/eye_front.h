@@ -36,7 +36,8 @@ class EyeFront {
   static constexpr int kGroup = 16;  // wedges made at a time
   static constexpr int kStride = 8;  // rings a step of the coarse search
   // Of slopes, by slope / (kHalfwaySlope + |slope|) from -1 to 1.
-  static constexpr int kStartBins = 2048;
+  static constexpr int kStartBinBits = 11;
+  static constexpr int kStartBins = 1 << kStartBinBits;
   static constexpr double kHalfwaySlope = 0.25;
 
   // Whether a front can be made: one layer under an affine map or one with EyeTracks, with
@@ -57,6 +58,8 @@ class EyeFront {
 
   // Ring i lies between ring_m()[i] and ring_m()[i + 1]; the first begins at the eye.
   [[nodiscard]] std::span<const double> ring_m() const { return ring_m_; }
+  // The same as floats.
+  [[nodiscard]] std::span<const float> near_m() const { return near_m_; }
   [[nodiscard]] int rings() const { return static_cast<int>(levels_.size()); }
   // A few cells.
   [[nodiscard]] double step_back_m() const { return 4 * step_m_; }
@@ -95,6 +98,7 @@ class EyeFront {
   double margin_cells_;
   double margin_m_ = 0;
   std::vector<double> ring_m_;
+  std::vector<float> near_m_;
   std::vector<int> levels_;  // by ring: of the blocks that cover its sectors
   std::vector<std::int32_t> ring_at_step_;
   double step_m_ = 0;  // the narrowest ring

@@ -48,6 +48,10 @@ class EyeLoop {
   }
 
  private:
+  using FloatTag = hn::Rebind<float, D>;
+  using IntTag = hn::Rebind<std::int32_t, D>;
+  using Ints = hn::Vec<IntTag>;
+
   // Takes each vector of rays, and moves those that go on to the front of the set.
   template <class Take>
   HWY_INLINE void pass(const Take& take) {
@@ -96,7 +100,8 @@ class EyeLoop {
     const V across_y = load(rays_.direction_y, first);
     // As is_vertical(), or nearly: those near it go the sure way. NaN too.
     const M slanted = across_x * across_x + across_y * across_y > of(4e-24) * rise * rise;
-    V start_m = search_.start_m(load(set_.start, first));
+    V start_m = hn::PromoteTo(
+        D(), search_.start_m(hn::DemoteTo(IntTag(), load(set_.start, first))));
     if (rays_.follows) start_m = hn::Max(start_m, load(rays_.clear_m, first));
     const M meets = start_m < hn::Inf(D());
     std::uint32_t lost = lanes & ~bits_of(slanted);
@@ -197,16 +202,19 @@ class EyeLoop {
     // Past the last ray lie those of before.
     const M held = mask_of(lanes);
     const V g = hn::IfThenElseZero(held, r.g);
-    const V start = hn::IfThenElseZero(held, load(set_.start, first));
-    const V wedge = hn::Floor(start * of(1.0 / EyeFront::kStartBins));
-    const V here = search_.ring_of(g);
-    const FrontSearch::Place there = search_.next(here, r.slope, wedge, lanes);
-    std::uint32_t active = lanes & ~bits_of(search_.is_none(there.ring));
+    const Ints place = hn::DemoteTo(IntTag(), hn::IfThenElseZero(held, load(set_.start, first)));
+    const Ints wedge = hn::ShiftRight<EyeFront::kStartBinBits>(place);
+    const Ints here = search_.ring_of(hn::DemoteTo(FloatTag(), g));
+    const auto there = search_.next(here, hn::DemoteTo(FloatTag(), r.slope), wedge,
+                                    mask_from(FloatTag(), lanes));
+    const V start_m = hn::PromoteTo(D(), there.start_m);
+    std::uint32_t active = lanes & ~mask_bits(FloatTag(), search_.is_none(there.ring));
     // A leap may settle a little before its end, and must go forward all the same.
-    const M far = there.start_m > g + of(kBent ? 2 * front_.step_back_m() : 0);
-    const M leaps = hn::And(hn::And(there.ring > here, far), mask_of(active));
+    const M far = start_m > g + of(kBent ? 2 * front_.step_back_m() : 0);
+    const M further = hn::PromoteTo(D(), there.ring) > hn::PromoteTo(D(), here);
+    const M leaps = hn::And(hn::And(further, far), mask_of(active));
     if (bits_of(leaps) != 0) {
-      const M settled = walk_.settle(r, first, there.start_m, leaps).settled;
+      const M settled = walk_.settle(r, first, start_m, leaps).settled;
       const std::uint32_t lost = active & bits_of(hn::AndNot(settled, leaps));
       rescue(first, lost);
       active &= ~lost;
@@ -220,7 +228,7 @@ class EyeLoop {
   EyeRays& rays_;
   RaySet& set_;
   RescueList& rescues_;
-  FrontSearch search_;
+  FrontSearch<hn::Rebind<float, D>> search_;
   SetWalk<kBent> walk_;
   std::int64_t tests_ = 0;
 };

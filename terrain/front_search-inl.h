@@ -11,91 +11,108 @@
 #include <cstdint>
 
 #include "terrain/eye_front.h"
-#include "terrain/vector_ground-inl.h"
+#include "terrain/vector_masks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
-using Ints = hn::Rebind<std::int32_t, D>;
-using Floats = hn::Rebind<float, D>;
-
+// Floats are the tag F's. Slopes and distances may be off by 2^-22 of themselves: a search looks
+// that much further down and begins that much earlier.
+template <class F>
 class FrontSearch {
  public:
+  using I = hn::RebindToSigned<F>;
+  using VF = hn::Vec<F>;
+  using VI = hn::Vec<I>;
+  using MF = hn::Mask<F>;
+
   explicit FrontSearch(const EyeFront& front) : front_(front), rings_(front.rings()) {}
 
   // Where rays from these places of EyeFront::starts_m() may first meet the ground.
-  HWY_INLINE V start_m(V place) const { return floats_at(front_.starts_m(), place); }
+  HWY_INLINE VF start_m(VI place) const { return hn::GatherIndex(F(), front_.starts_m(), place); }
 
   // A ring that a ray may meet the ground in, and how far away: none is rings().
   struct Place {
-    V ring;
-    V start_m;
+    VI ring;
+    VF start_m;
   };
 
   // The first one from ring `here` on, by the bounds of a wedge.
-  HWY_INLINE Place next(V here, V slope, V wedge, std::uint32_t lanes) const {
-    const V beyond = floats_at(
-        front_.bounds_beyond(),
-        in_group(wedge, hn::Floor(here * of(1.0 / EyeFront::kStride)), front_.coarse_rings()));
-    const V from = hn::IfThenElse(beyond < slope, of(rings_), here);
-    const V ring = search(from, slope, wedge, lanes);
+  HWY_INLINE Place next(VI here, VF ray_slope, VI wedge, MF lanes) const {
+    const VF slope = ray_slope - hn::Abs(ray_slope) * of(kRounding);
+    const VI block = hn::ShiftRight<kStrideBits>(here);
+    const VF beyond = hn::GatherIndex(F(), front_.bounds_beyond(),
+                                      in_group(wedge, block, front_.coarse_rings()));
+    const VI from =
+        hn::IfThenElse(hn::RebindMask(I(), beyond < slope), hn::Set(I(), rings_), here);
+    const VI ring = search(from, slope, wedge, lanes);
     // Below the horizon no ground of the ring is above `bound` times its far end: a ray comes down
     // to that height later than to the ring.
-    const V known = hn::Min(ring, of(rings_ - 1));
-    const V bound = sector_bound(wedge, known);
-    const V down_m =
-        hn::IfThenElseZero(bound < of(0), ring_at(known + of(1)) * (hn::Max(bound, slope) / slope));
-    return {ring, hn::Max(ring_at(known), down_m) - of(front_.margin_m())};
+    const VI known = hn::Min(ring, hn::Set(I(), rings_ - 1));
+    const VF bound = sector_bound(wedge, known);
+    const VF down_m = hn::IfThenElseZero(bound < of(0), ring_at(known + hn::Set(I(), 1)) *
+                                                            (hn::Max(bound, slope) / slope));
+    const VF start_m = hn::Max(ring_at(known), down_m) * of(1 - kRounding);
+    return {ring, start_m - of(static_cast<float>(front_.margin_m()))};
   }
 
-  // The ring in which a distance lies, or within rounding the one before or after: the bound of a
-  // ring holds from EyeFront::margin_m() before it on.
-  HWY_INLINE V ring_of(V distance_m) const {
+  // The ring in which a distance lies, or within rounding the one before.
+  HWY_INLINE VI ring_of(VF distance_m) const {
     const std::span<const std::int32_t> rings = front_.ring_at_step();
-    const V step = hn::Min(hn::Floor(distance_m * of(1 / front_.step_m())),
-                           of(static_cast<double>(rings.size() - 1)));
-    const V ring =
-        hn::PromoteTo(D(), hn::GatherIndex(Ints(), rings.data(), hn::DemoteTo(Ints(), step)));
+    const VF at_m = distance_m * of(1 - kRounding);
+    const VF step = hn::Min(at_m * of(static_cast<float>(1 / front_.step_m())) * of(1 - kRounding),
+                            of(static_cast<float>(rings.size() - 1)));
+    const VI known = hn::Min(hn::ConvertTo(I(), step),
+                             hn::Set(I(), static_cast<std::int32_t>(rings.size()) - 1));
+    const VI ring = hn::GatherIndex(I(), rings.data(), hn::Max(known, hn::Zero(I())));
     // No ring is narrower than a step.
-    const V next = hn::Min(ring + of(1), of(rings_ - 1));
-    return hn::IfThenElse(ring_at(next) <= distance_m, next, ring);
+    const VI next = hn::Min(ring + hn::Set(I(), 1), hn::Set(I(), rings_ - 1));
+    return hn::IfThenElse(hn::RebindMask(I(), ring_at(next) <= at_m), next, ring);
   }
 
-  HWY_INLINE M is_none(V ring) const { return ring >= of(rings_); }
+  HWY_INLINE MF is_none(VI ring) const {
+    return hn::RebindMask(F(), ring > hn::Set(I(), rings_ - 1));
+  }
 
  private:
-  HWY_INLINE V ring_at(V ring) const {
-    const hn::Rebind<std::int64_t, D> longs;
-    return hn::GatherIndex(D(), front_.ring_m().data(), hn::ConvertTo(longs, ring));
-  }
+  static constexpr float kRounding = 0x1p-21F;
+  static constexpr int kStrideBits = 3;
+  static constexpr int kGroupBits = 4;
+  static_assert(1 << kStrideBits == EyeFront::kStride && 1 << kGroupBits == EyeFront::kGroup);
 
-  HWY_INLINE V floats_at(const float* values, V index) const {
-    return hn::PromoteTo(D(), hn::GatherIndex(Floats(), values, hn::DemoteTo(Ints(), index)));
+  static HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
+
+  HWY_INLINE VF ring_at(VI ring) const {
+    return hn::GatherIndex(F(), front_.near_m().data(), ring);
   }
 
   // The bound of a ring in a wedge; infinite past the last ring.
-  HWY_INLINE V sector_bound(V wedge, V ring) const {
-    return floats_at(front_.bounds(), in_group(wedge, ring, rings_ + 1));
+  HWY_INLINE VF sector_bound(VI wedge, VI ring) const {
+    return hn::GatherIndex(F(), front_.bounds(), in_group(wedge, ring, rings_ + 1));
   }
 
-  HWY_INLINE V in_group(V wedge, V ring, int rings) const {
-    constexpr int kGroup = EyeFront::kGroup;
-    const V group = hn::Floor(wedge * of(1.0 / kGroup));
-    return (group * of(rings) + ring) * of(kGroup) + (wedge - group * of(kGroup));
+  HWY_INLINE VI in_group(VI wedge, VI ring, int rings) const {
+    const VI group = hn::ShiftRight<kGroupBits>(wedge);
+    const VI in_group = hn::And(wedge, hn::Set(I(), EyeFront::kGroup - 1));
+    return hn::ShiftLeft<kGroupBits>(group * hn::Set(I(), rings) + ring) + in_group;
   }
 
   // The first ring from `ring` on whose bound reaches the slope.
-  HWY_INLINE V search(V ring, V slope, V wedge, std::uint32_t lanes) const {
-    constexpr int kStride = EyeFront::kStride;
+  HWY_INLINE VI search(VI ring, VF slope, VI wedge, MF lanes) const {
+    const VI one = hn::Set(I(), 1);
+    const VI stride = hn::Set(I(), EyeFront::kStride);
     while (true) {
-      const M below = sector_bound(wedge, ring) < slope;
-      if ((bits_of(below) & lanes) == 0) return ring;
-      const V block = hn::Floor(ring * of(1.0 / kStride));
-      const V coarse =
-          floats_at(front_.coarse_bounds(), in_group(wedge, block, front_.coarse_rings()));
-      const M leap = hn::And(block * of(kStride) == ring, coarse < slope);
-      ring = ring + hn::IfThenElseZero(below, hn::IfThenElse(leap, of(kStride), of(1)));
+      const MF below = sector_bound(wedge, ring) < slope;
+      if (hn::AllFalse(F(), hn::And(below, lanes))) return ring;
+      const VI block = hn::ShiftRight<kStrideBits>(ring);
+      const VF coarse = hn::GatherIndex(F(), front_.coarse_bounds(),
+                                        in_group(wedge, block, front_.coarse_rings()));
+      const auto leap = hn::And(hn::ShiftLeft<kStrideBits>(block) == ring,
+                                hn::RebindMask(I(), coarse < slope));
+      ring = ring + hn::IfThenElseZero(hn::RebindMask(I(), below),
+                                       hn::IfThenElse(leap, stride, one));
     }
   }
 
