@@ -74,7 +74,7 @@ class PartTracer {
 FrameWork trace_front(const EyeFront& front, const Camera& camera, int threads,
                       TracedFrame& frame) {
   constexpr int kMost = static_cast<int>(EyeRays::kMost);
-  constexpr int kTileWide_px = 32;
+  constexpr int kTileWide_px = 64;
   constexpr int kLevelHigh_px = 270;
   const bool is_level = column_view(camera).has_value();
   const glm::ivec2 tile_px = is_level ? glm::ivec2(kMost, kLevelHigh_px)

@@ -29,7 +29,7 @@ ColumnWalk::ColumnWalk(const Terrain& terrain, const ColumnView& view, int first
     active_ |= 1U << lane;
     const Ray ray = ray_of(view, first + lane, last_row);
     lines_[i] = ground_line(ray);
-    runs_[i] = glm::length(glm::dvec2(ray.direction));
+    inverse_runs_[i] = 1 / glm::length(glm::dvec2(ray.direction));
     state.x[i] = lines_[i].direction.x;
     state.y[i] = lines_[i].direction.y;
     rows_[i] = last_row + 1;
@@ -45,7 +45,7 @@ void ColumnWalk::next_row(int lane) {
     finish(lane);
     return;
   }
-  state.slope[i] = view_.rise[static_cast<std::size_t>(rows_[i])] / runs_[i];
+  state.slope[i] = view_.rise[static_cast<std::size_t>(rows_[i])] * inverse_runs_[i];
 }
 
 void ColumnWalk::record(int lane, const ColumnHit& hit) {

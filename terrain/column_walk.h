@@ -62,7 +62,7 @@ class ColumnWalk {
   const ColumnView& view_;
   std::span<ColumnHit> hits_;
   std::array<GroundLine, kMostLanes> lines_;
-  std::array<double, kMostLanes> runs_;
+  std::array<double, kMostLanes> inverse_runs_;
   std::array<int, kMostLanes> rows_;
   std::array<TrackPiece, kMostLanes> pieces_;
   double to_m_;

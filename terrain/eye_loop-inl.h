@@ -100,8 +100,8 @@ class EyeLoop {
     const V across_y = load(rays_.direction_y, first);
     // As is_vertical(), or nearly: those near it go the sure way. NaN too.
     const M slanted = across_x * across_x + across_y * across_y > of(4e-24) * rise * rise;
-    V start_m = hn::PromoteTo(
-        D(), search_.start_m(hn::DemoteTo(IntTag(), load(set_.start, first))));
+    V start_m =
+        hn::PromoteTo(D(), search_.start_m(hn::DemoteTo(IntTag(), load(set_.start, first))));
     if (rays_.follows) start_m = hn::Max(start_m, load(rays_.clear_m, first));
     const M meets = start_m < hn::Inf(D());
     std::uint32_t lost = lanes & ~bits_of(slanted);
@@ -161,14 +161,6 @@ class EyeLoop {
     return active;
   }
 
-  HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V share) const {
-    Registers met = r;
-    met.g = r.g + share * (next.g - r.g);
-    met.u = r.u + share * (next.u - r.u);
-    met.v = r.v + share * (next.v - r.v);
-    return met;
-  }
-
   HWY_INLINE void record_in_order(const Registers& met, std::uint32_t hit, std::size_t first) {
     const M mask = mask_of(hit);
     hn::BlendedStore(met.g, mask, D(), rays_.ground_m.data() + first);
@@ -205,8 +197,8 @@ class EyeLoop {
     const Ints place = hn::DemoteTo(IntTag(), hn::IfThenElseZero(held, load(set_.start, first)));
     const Ints wedge = hn::ShiftRight<EyeFront::kStartBinBits>(place);
     const Ints here = search_.ring_of(hn::DemoteTo(FloatTag(), g));
-    const auto there = search_.next(here, hn::DemoteTo(FloatTag(), r.slope), wedge,
-                                    mask_from(FloatTag(), lanes));
+    const auto there =
+        search_.next(here, hn::DemoteTo(FloatTag(), r.slope), wedge, mask_from(FloatTag(), lanes));
     const V start_m = hn::PromoteTo(D(), there.start_m);
     std::uint32_t active = lanes & ~mask_bits(FloatTag(), search_.is_none(there.ring));
     // A leap may settle a little before its end, and must go forward all the same.

@@ -12,29 +12,20 @@
 
 #include <glm/geometric.hpp>
 
+#include "terrain/eye_cell.h"
 #include "terrain/eye_loop-inl.h"
+#include "terrain/eye_proof-inl.h"
+#include "terrain/eye_scout-inl.h"
 #include "terrain/eye_tracer.h"
 #include "terrain/eye_tracks.h"
 #include "terrain/ray_set.h"
 #include "terrain/tracer.h"
 #include "terrain/vector_ground-inl.h"
+#include "terrain/vector_sectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
-
-// The sectors of unit directions, as sector_of() finds them. A vertical ray's NaN becomes sector 0.
-HWY_INLINE V sectors_of(V x, V y, int a_side) {
-  const V far_x = hn::Abs(x);
-  const V far_y = hn::Abs(y);
-  const M along_y = far_y >= far_x;
-  const V c = hn::IfThenElse(along_y, x, y) / hn::Max(far_x, far_y);
-  const V side = hn::IfThenElse(along_y, hn::IfThenElse(y > of(0), of(0), of(2 * a_side)),
-                                hn::IfThenElse(x > of(0), of(a_side), of(3 * a_side)));
-  const V place = hn::Floor((c + of(1)) * of(0.5 * a_side));
-  const V sector = side + hn::Min(place, of(a_side - 1));
-  return hn::IfThenElseZero(place >= of(0), sector);
-}
 
 // Makes groups of wedges of a front; `made` is the last one that is known to be.
 HWY_INLINE void make_groups(const EyeFront& front, V groups, double& made) {
@@ -75,14 +66,14 @@ void prepare_rays(const EyeFront& front, EyeRays& rays, RaySet& set) {
       save(set.metres_u, i, rates.u.metres);
       save(set.metres_v, i, rates.v.metres);
     } else {
-      save(set.sector, i, sectors_of(x, y, tracks->sectors_a_side()));
+      save(set.sector, i, sectors_of(D(), x, y, tracks->sectors_a_side()));
     }
     const V bin = hn::Floor((slope / (of(EyeFront::kHalfwaySlope) + hn::Abs(slope)) + of(1)) *
                             of(EyeFront::kStartBins / 2));
     const V first_bin = of(front.first_bin());
     const V known_bin =
         hn::IfThenElse(bin >= first_bin, hn::Min(bin, of(front.last_bin())), first_bin);
-    const V wedge = sectors_of(x, y, front.wedges_a_side());
+    const V wedge = sectors_of(D(), x, y, front.wedges_a_side());
     save(set.start, i, wedge * of(EyeFront::kStartBins) + known_bin);
     make_groups(front, hn::Floor(wedge * of(1.0 / EyeFront::kGroup)), made);
   }
@@ -100,6 +91,20 @@ std::int64_t run_eye_loop(const EyeFront& front, EyeRays& rays, RaySet& set, Res
   if (front.terrain().layers()[0].map->linear())
     return EyeLoop<false>(front, rays, set, rescues).run();
   return EyeLoop<true>(front, rays, set, rescues).run();
+}
+
+template <Ground kGround>
+std::int64_t scout_over(const EyeFront& front, EyeRays& rays, ScoutFinds& finds) {
+  const std::int64_t tests = EyeScout<kGround>(front, rays, finds).run();
+  EyeProof<kGround == Ground::bent>(front.terrain(), rays, finds).run();
+  return tests;
+}
+
+std::int64_t scout(const EyeFront& front, EyeRays& rays, ScoutFinds& finds) {
+  if (!front.terrain().layers()[0].map->linear())
+    return scout_over<Ground::bent>(front, rays, finds);
+  if (!front.terrain().frame().is_flat()) return scout_over<Ground::curved>(front, rays, finds);
+  return scout_over<Ground::flat>(front, rays, finds);
 }
 
 template <class Value>
@@ -158,13 +163,14 @@ namespace terrview {
 HWY_EXPORT(prepare_rays);
 HWY_EXPORT(run_eye_loop);
 HWY_EXPORT(keep_clear);
+HWY_EXPORT(scout);
 HWY_EXPORT(affine_facets);
 
 namespace {
 
 // Lanes past the last ray are computed all the same.
 void pad(EyeRays& rays) {
-  const std::size_t padded = (rays.count + 7) / 8 * 8;
+  const std::size_t padded = (rays.count + 15) / 16 * 16;
   for (std::size_t i = rays.count; i < padded; ++i) {
     rays.direction_x[i] = rays.direction_x[0];
     rays.direction_y[i] = rays.direction_y[0];
@@ -200,6 +206,54 @@ void rescue(const Terrain& terrain, EyeRays& rays, std::size_t i, TraceCounts& c
   rays.row[i] = found.hit.cell.y;
 }
 
+// By vectors of doubles alone.
+void trace_in_doubles(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
+  RaySet set;
+  HWY_DYNAMIC_DISPATCH(prepare_rays)(front, rays, set);
+  RescueList rescues;
+  counts.tests += HWY_DYNAMIC_DISPATCH(run_eye_loop)(front, rays, set, rescues);
+  if (rays.follows) HWY_DYNAMIC_DISPATCH(keep_clear)(rays);
+  for (std::size_t j = 0; j < rescues.count; ++j)
+    rescue(front.terrain(), rays, static_cast<std::size_t>(rescues.rays[j]), counts);
+}
+
+// Whether floats can tell the places of rays, and these begin above the ground.
+bool has_scouts(const EyeFront& front) {
+  constexpr double kMostPosts = 1 << 15;
+  const Terrain& terrain = front.terrain();
+  const TerrainLayer& layer = terrain.layers()[0];
+  if (!(terrain.frame().z_scale > 0)) return false;
+  const glm::dvec2 eye_uv = layer.map->to_grid({0, 0});
+  const auto near = [](double uv, int posts) { return std::abs(uv) + posts < kMostPosts; };
+  return near(eye_uv.x, layer.grid->columns) && near(eye_uv.y, layer.grid->rows) &&
+         EyeCell(terrain).z_m <= 0;
+}
+
+// Traces the rays that floats say nothing of.
+void retrace(const EyeFront& front, EyeRays& rays, const ScoutFinds& finds, TraceCounts& counts) {
+  EyeRays again;
+  again.count = finds.unsure_count;
+  again.follows = true;
+  const auto at = [&](std::size_t j) { return static_cast<std::size_t>(finds.unsure[j]); };
+  for (std::size_t j = 0; j < again.count; ++j) {
+    again.direction_x[j] = rays.direction_x[at(j)];
+    again.direction_y[j] = rays.direction_y[at(j)];
+    again.direction_z[j] = rays.direction_z[at(j)];
+    again.clear_m[j] = std::max<double>(finds.clear_m[j], rays.follows ? rays.clear_m[at(j)] : 0);
+  }
+  if (rays.follows) HWY_DYNAMIC_DISPATCH(keep_clear)(rays);
+  if (again.count == 0) return;
+  pad(again);
+  trace_in_doubles(front, again, counts);
+  for (std::size_t j = 0; j < again.count; ++j) {
+    rays.clear_m[at(j)] = again.clear_m[j];
+    for (EyeRays::Values EyeRays::*values :
+         {&EyeRays::x, &EyeRays::y, &EyeRays::slope, &EyeRays::ground_m, &EyeRays::u, &EyeRays::v,
+          &EyeRays::column, &EyeRays::row})
+      (rays.*values)[at(j)] = (again.*values)[j];
+  }
+}
+
 }  // namespace
 
 Hit EyeRays::hit(std::size_t i) const {
@@ -222,13 +276,13 @@ void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
     return;
   }
   pad(rays);
-  RaySet set;
-  HWY_DYNAMIC_DISPATCH(prepare_rays)(front, rays, set);
-  RescueList rescues;
-  counts.tests += HWY_DYNAMIC_DISPATCH(run_eye_loop)(front, rays, set, rescues);
-  if (rays.follows) HWY_DYNAMIC_DISPATCH(keep_clear)(rays);
-  for (std::size_t j = 0; j < rescues.count; ++j)
-    rescue(front.terrain(), rays, static_cast<std::size_t>(rescues.rays[j]), counts);
+  if (!has_scouts(front)) {
+    trace_in_doubles(front, rays, counts);
+    return;
+  }
+  ScoutFinds finds;
+  counts.tests += HWY_DYNAMIC_DISPATCH(scout)(front, rays, finds);
+  retrace(front, rays, finds, counts);
 }
 
 void facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets) {

@@ -1,9 +1,10 @@
 // Rays from the eye, many at a time, in any directions.
 //
-// A view's EyeFront says at which cells a ray need look; these are compared with it in the lanes of
-// a vector, in double precision and with the arithmetic of the single ray, so the hits are the same
-// to the bit under every instruction set. What the lanes cannot settle (vertical rays, rays that
-// enter the grid from outside or come over the edge of a hole) goes to the single ray's tracer.
+// A view's EyeFront says at which cells a ray need look. Rays go over these in the lanes of a
+// vector, in floats with a bound (scouts), and where they meet the ground, or floats cannot tell,
+// in doubles with the arithmetic of the single ray: so the hits are the same to the bit under every
+// instruction set. What the lanes cannot settle (vertical rays, rays that enter the grid from
+// outside or come over the edge of a hole) goes to the single ray's tracer.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ namespace terrview {
 
 // Up to kMost rays: their directions in, their hits out.
 struct EyeRays {
-  static constexpr std::size_t kMost = 128;
+  static constexpr std::size_t kMost = 512;
   // Not a power of two, so that the same element of many arrays has a place in a cache.
   using Values = std::array<double, kMost + 8>;
 

@@ -26,7 +26,9 @@ std::optional<EyeTracks> EyeTracks::make(const GroundMap& map) {
     EyeTracks tracks(map, sectors);
     if (!tracks.find_knots(map)) return std::nullopt;
     tracks.fill(map);
-    if (tracks.is_close_to(map)) return tracks;
+    if (!tracks.is_close_to(map)) continue;
+    tracks.carry_back();
+    return tracks;
   }
   return std::nullopt;
 }
@@ -73,6 +75,21 @@ void EyeTracks::fill(const GroundMap& map) {
       start = end;
     }
   }
+}
+
+void EyeTracks::carry_back() {
+  const auto count = static_cast<std::size_t>(pieces());
+  lines_.reserve(coefficients_.size());
+  for (std::size_t i = 0; i < coefficients_.size() / kCoefficients; ++i) {
+    const double* c = coefficients_.data() + i * kCoefficients;
+    const double begin_m = knots_m_[i % count];
+    for (const int j : {0, 1, 2, 3})
+      lines_.push_back(static_cast<float>(c[j] - c[j + 4] * begin_m));
+    for (const int j : {4, 5, 6, 7}) lines_.push_back(static_cast<float>(c[j]));
+    posts_per_m_ =
+        std::max({posts_per_m_, std::abs(c[4]) + std::abs(c[5]), std::abs(c[6]) + std::abs(c[7])});
+  }
+  near_knots_m_.assign(knots_m_.begin(), knots_m_.end());
 }
 
 // From the eye, in posts. Beyond the last post the last piece goes on.

@@ -39,12 +39,18 @@ class EyeTracks {
   // and y (u by x, u by y, v by x, v by y), and then its rate alike.
   static constexpr int kCoefficients = 8;
   [[nodiscard]] const std::vector<double>& coefficients() const { return coefficients_; }
+  // The same as floats, but that pieces start at the eye: carried back to it; and the knots.
+  [[nodiscard]] const std::vector<float>& lines() const { return lines_; }
+  [[nodiscard]] const std::vector<float>& near_knots_m() const { return near_knots_m_; }
+  // No track passes more posts a metre, along u or v.
+  [[nodiscard]] double posts_per_m() const { return posts_per_m_; }
 
  private:
   EyeTracks(const GroundMap& map, int sectors_a_side);
 
   [[nodiscard]] bool find_knots(const GroundMap& map);
   void fill(const GroundMap& map);
+  void carry_back();
   [[nodiscard]] bool is_close_to(const GroundMap& map) const;
   [[nodiscard]] std::vector<glm::dvec2> knots_along(const GroundMap& map,
                                                     glm::dvec2 direction) const;
@@ -55,6 +61,9 @@ class EyeTracks {
   glm::dvec2 eye_uv_;
   std::vector<double> knots_m_;
   std::vector<double> coefficients_;
+  std::vector<float> lines_;
+  std::vector<float> near_knots_m_;
+  double posts_per_m_ = 0;
 };
 
 }  // namespace terrview

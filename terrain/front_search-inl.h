@@ -43,17 +43,16 @@ class FrontSearch {
   HWY_INLINE Place next(VI here, VF ray_slope, VI wedge, MF lanes) const {
     const VF slope = ray_slope - hn::Abs(ray_slope) * of(kRounding);
     const VI block = hn::ShiftRight<kStrideBits>(here);
-    const VF beyond = hn::GatherIndex(F(), front_.bounds_beyond(),
-                                      in_group(wedge, block, front_.coarse_rings()));
-    const VI from =
-        hn::IfThenElse(hn::RebindMask(I(), beyond < slope), hn::Set(I(), rings_), here);
+    const VF beyond =
+        hn::GatherIndex(F(), front_.bounds_beyond(), in_group(wedge, block, front_.coarse_rings()));
+    const VI from = hn::IfThenElse(hn::RebindMask(I(), beyond < slope), hn::Set(I(), rings_), here);
     const VI ring = search(from, slope, wedge, lanes);
     // Below the horizon no ground of the ring is above `bound` times its far end: a ray comes down
     // to that height later than to the ring.
     const VI known = hn::Min(ring, hn::Set(I(), rings_ - 1));
     const VF bound = sector_bound(wedge, known);
-    const VF down_m = hn::IfThenElseZero(bound < of(0), ring_at(known + hn::Set(I(), 1)) *
-                                                            (hn::Max(bound, slope) / slope));
+    const VF down_m = hn::IfThenElseZero(
+        bound < of(0), ring_at(known + hn::Set(I(), 1)) * (hn::Max(bound, slope) / slope));
     const VF start_m = hn::Max(ring_at(known), down_m) * of(1 - kRounding);
     return {ring, start_m - of(static_cast<float>(front_.margin_m()))};
   }
@@ -109,10 +108,10 @@ class FrontSearch {
       const VI block = hn::ShiftRight<kStrideBits>(ring);
       const VF coarse = hn::GatherIndex(F(), front_.coarse_bounds(),
                                         in_group(wedge, block, front_.coarse_rings()));
-      const auto leap = hn::And(hn::ShiftLeft<kStrideBits>(block) == ring,
-                                hn::RebindMask(I(), coarse < slope));
-      ring = ring + hn::IfThenElseZero(hn::RebindMask(I(), below),
-                                       hn::IfThenElse(leap, stride, one));
+      const auto leap =
+          hn::And(hn::ShiftLeft<kStrideBits>(block) == ring, hn::RebindMask(I(), coarse < slope));
+      ring =
+          ring + hn::IfThenElseZero(hn::RebindMask(I(), below), hn::IfThenElse(leap, stride, one));
     }
   }
 

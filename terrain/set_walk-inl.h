@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "terrain/eye_cell.h"
 #include "terrain/eye_tracks.h"
 #include "terrain/grid_walk.h"
 #include "terrain/ray_set.h"
@@ -31,6 +32,56 @@ HWY_INLINE void save(EyeRays::Values& values, std::size_t first, V value) {
   hn::Store(value, D(), values.data() + first);
 }
 
+// Walks in their cells. Those `settled` are there as the single ray's walk is.
+struct Entry {
+  Corners corners;
+  M settled;
+};
+
+// Where the lanes came into their cells.
+HWY_INLINE Entry enter(const VectorGrid& grid, const EyeCell& eye, Registers& r) {
+  const M at_eye = hn::And(r.column == of(eye.column), r.row == of(eye.row));
+  const Corners corners = grid.corners(r);
+  const M entered = grid.enter_cell(r, corners);
+  r.g = hn::IfThenElse(at_eye, of(0), r.g);
+  r.u = hn::IfThenElse(at_eye, of(eye.u), r.u);
+  r.v = hn::IfThenElse(at_eye, of(eye.v), r.v);
+  r.z = hn::IfThenElse(at_eye, of(eye.z_m), r.z);
+  return {corners, hn::Or(entered, at_eye)};
+}
+
+// Where a ray meets the ground, at the share of the way between two crossings.
+HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V share) {
+  Registers met = r;
+  met.g = r.g + share * (next.g - r.g);
+  met.u = r.u + share * (next.u - r.u);
+  met.v = r.v + share * (next.v - r.v);
+  return met;
+}
+
+// Loads pieces of the tracks of a sector of EyeTracks, for lines whose directions `r` holds.
+HWY_INLINE void load_piece(const EyeTracks& tracks, const EyeCell& eye, V sector, V piece,
+                           Registers& r) {
+  const hn::Rebind<std::int64_t, D> longs;
+  const auto at =
+      hn::ConvertTo(longs, (sector * of(tracks.pieces()) + piece) * of(EyeTracks::kCoefficients));
+  const auto along = [&](int i) HWY_ATTR {
+    const double* c = tracks.coefficients().data() + i;
+    return hn::GatherIndex(D(), c, at) * r.x + hn::GatherIndex(D(), c + 1, at) * r.y;
+  };
+  const auto knots = hn::ConvertTo(longs, piece);
+  r.begin = hn::GatherIndex(D(), tracks.knots_m().data(), knots);
+  r.end = hn::GatherIndex(D(), tracks.knots_m().data() + 1, knots);
+  r.start_u = of(eye.u) + along(0);
+  r.start_v = of(eye.v) + along(2);
+  const VectorRate u = invertible(along(4));
+  const VectorRate v = invertible(along(6));
+  r.rate_u = u.rate;
+  r.rate_v = v.rate;
+  r.metres_u = u.metres;
+  r.metres_v = v.metres;
+}
+
 // The walks of a set's rays, a vector of them at a time. Where the tracks of the terrain bend,
 // kBent.
 template <bool kBent>
@@ -42,16 +93,8 @@ class SetWalk {
         grid_(terrain),
         set_(set),
         step_back_m_(step_back_m),
-        tracks_(terrain.layers()[0].map->eye_tracks()) {
-    const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
-    eye_u_ = eye_uv.x;
-    eye_v_ = eye_uv.y;
-    if (const auto ground = terrain.ground_at({0, 0})) {
-      eye_column_ = ground->cell.x;
-      eye_row_ = ground->cell.y;
-      eye_z_ = terrain.frame().at({0, 0}).z_m(ground->scene_height_m);
-    }
-  }
+        tracks_(terrain.layers()[0].map->eye_tracks()),
+        eye_(terrain) {}
 
   [[nodiscard]] const VectorGrid& grid() const { return grid_; }
 
@@ -67,8 +110,8 @@ class SetWalk {
     r.metres_v = load(set_.metres_v, first);
     r.begin = of(0);
     r.end = of(terrain_.reach_m());
-    r.start_u = of(eye_u_);
-    r.start_v = of(eye_v_);
+    r.start_u = of(eye_.u);
+    r.start_v = of(eye_.v);
     r.column = r.row = r.g = r.u = r.v = r.z = of(0);
     return r;
   }
@@ -112,19 +155,13 @@ class SetWalk {
     save(set_.metres_v, first, r.metres_v);
   }
 
-  // Walks in their cells. Those `settled` are there as the single ray's walk is.
-  struct Entry {
-    Corners corners;
-    M settled;
-  };
-
   // Puts the wanted lanes of rays first, first + 1, ... into the cells where they are at a
   // distance, or a little before.
   HWY_INLINE Entry settle(Registers& r, std::size_t first, V start_m, M wanted) const {
     Registers to = r;
     if constexpr (kBent) load_pieces(to, first, start_m);
     M seated = seat(to, start_m);
-    Entry entry = enter(to);
+    Entry entry = enter(grid_, eye_, to);
     entry.settled = hn::And(entry.settled, seated);
     if constexpr (kBent) {
       // A cell that was entered on the piece before is too late to begin with.
@@ -135,7 +172,7 @@ class SetWalk {
         const V before_m = hn::Max(to.begin - of(step_back_m_), of(0));
         load_pieces(back, first, before_m);
         seated = seat(back, before_m);
-        const Entry earlier = enter(back);
+        const Entry earlier = enter(grid_, eye_, back);
         entry.settled = hn::Or(entry.settled, hn::And(early, hn::And(earlier.settled, seated)));
         choose_piece(to, early, back);
         choose(to, early, back);
@@ -195,25 +232,7 @@ class SetWalk {
     V piece = of(0);
     for (std::size_t i = 1; i + 1 < knots_m.size(); ++i)
       piece = piece + hn::IfThenElseZero(from_m >= of(knots_m[i]), of(1));
-    const V sector = load(set_.sector, first);
-    const hn::Rebind<std::int64_t, D> longs;
-    const auto at = hn::ConvertTo(
-        longs, (sector * of(tracks_->pieces()) + piece) * of(EyeTracks::kCoefficients));
-    const auto along = [&](int i) HWY_ATTR {
-      const double* c = tracks_->coefficients().data() + i;
-      return hn::GatherIndex(D(), c, at) * r.x + hn::GatherIndex(D(), c + 1, at) * r.y;
-    };
-    const auto knots = hn::ConvertTo(longs, piece);
-    r.begin = hn::GatherIndex(D(), knots_m.data(), knots);
-    r.end = hn::GatherIndex(D(), knots_m.data() + 1, knots);
-    r.start_u = of(eye_u_) + along(0);
-    r.start_v = of(eye_v_) + along(2);
-    const VectorRate u = invertible(along(4));
-    const VectorRate v = invertible(along(6));
-    r.rate_u = u.rate;
-    r.rate_v = v.rate;
-    r.metres_u = u.metres;
-    r.metres_v = v.metres;
+    load_piece(*tracks_, eye_, load(set_.sector, first), piece, r);
   }
 
   // Puts rays into their cells at a distance. False: that is not over the grid.
@@ -229,29 +248,12 @@ class SetWalk {
                    hn::And(u <= last_column + of(1), v <= last_row + of(1)));
   }
 
-  // Where the lanes came into their cells.
-  HWY_INLINE Entry enter(Registers& r) const {
-    const M at_eye = hn::And(r.column == of(eye_column_), r.row == of(eye_row_));
-    const Corners corners = grid_.corners(r);
-    const M entered = grid_.enter_cell(r, corners);
-    r.g = hn::IfThenElse(at_eye, of(0), r.g);
-    r.u = hn::IfThenElse(at_eye, of(eye_u_), r.u);
-    r.v = hn::IfThenElse(at_eye, of(eye_v_), r.v);
-    r.z = hn::IfThenElse(at_eye, of(eye_z_), r.z);
-    return {corners, hn::Or(entered, at_eye)};
-  }
-
   const Terrain& terrain_;
   VectorGrid grid_;
   RaySet& set_;
   double step_back_m_;
   const EyeTracks* tracks_;
-  double eye_u_ = 0;
-  double eye_v_ = 0;
-  // Where the eye is not over ground, no cell is its cell.
-  double eye_column_ = -2;
-  double eye_row_ = -2;
-  double eye_z_ = 0;
+  EyeCell eye_;
 };
 
 }  // namespace HWY_NAMESPACE

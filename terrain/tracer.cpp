@@ -264,7 +264,7 @@ double leaves_disc_m(const GroundLine& line, double reach_m) {
 double metres_per_g(double slope) { return std::sqrt(1 + slope * slope); }
 
 double ray_slope(const Ray& ray) {
-  return ray.direction.z / glm::length(glm::dvec2(ray.direction));
+  return ray.direction.z * (1 / glm::length(glm::dvec2(ray.direction)));
 }
 
 bool is_vertical(const Ray& ray) {
@@ -273,7 +273,8 @@ bool is_vertical(const Ray& ray) {
 
 GroundLine ground_line(const Ray& ray) {
   const glm::dvec2 across(ray.direction);
-  return {glm::dvec2(ray.origin_m), across / glm::length(across)};
+  // One division serves both, and the slope.
+  return {glm::dvec2(ray.origin_m), across * (1 / glm::length(across))};
 }
 
 Trace trace(const Terrain& terrain, double ceiling_m, const Ray& ray, double clear_m) {

@@ -112,8 +112,8 @@ struct VectorLine {
   V x, y, slope;
 };
 HWY_INLINE VectorLine line_under(V x, V y, V z) {
-  const V length = hn::Sqrt(x * x + y * y);
-  return {x / length, y / length, z / length};
+  const V inverse = of(1) / hn::Sqrt(x * x + y * y);
+  return {x * inverse, y * inverse, z * inverse};
 }
 
 // How a straight line goes over the posts of an affine map.
