@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <glm/matrix.hpp>
 
@@ -85,29 +86,35 @@ glm::dvec3 direction_beside(Random& random, const Terrain& terrain) {
   return {ground_m, terrain.frame().at(ground_m).z_m(aim_m)};
 }
 
-void expect_hits_of_single_rays(const Terrain& terrain) {
-  ASSERT_TRUE(EyeFront::serves(terrain));
+// Aims a batch after the other, and expects the hits of single rays. Returns how many there are.
+template <class Aim>
+int expect_hits_of_single_rays(const Terrain& terrain, EyeRays& rays, int batches, const Aim& aim) {
   const EyeFront front(terrain, {.wedge_rad = 0.001});
-  Random random(12);
-  const auto rays = std::make_unique<EyeRays>();
   int met = 0;
-  for (int batch = 0; batch < 60; ++batch) {
-    rays->count = EyeRays::kMost;
-    for (std::size_t i = 0; i < rays->count; ++i) rays->aim(i, direction_beside(random, terrain));
+  for (int batch = 0; batch < batches; ++batch) {
+    rays.count = EyeRays::kMost;
+    for (std::size_t i = 0; i < rays.count; ++i) rays.aim(i, aim(i));
     TraceCounts counts;
-    trace(front, *rays, counts);
-    for (std::size_t i = 0; i < rays->count; ++i) {
-      const Ray ray{
-          .direction = {rays->direction_x[i], rays->direction_y[i], rays->direction_z[i]}};
+    trace(front, rays, counts);
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      const Ray ray{.direction = {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}};
       const auto expected = terrain.first_hit(ray);
-      ASSERT_EQ(rays->is_hit(i), expected.has_value()) << oracle::to_string(ray);
-      if (!expected) continue;
-      expect_same_hit(rays->hit(i), *expected, ray);
+      EXPECT_EQ(rays.is_hit(i), expected.has_value()) << oracle::to_string(ray);
+      if (!expected || !rays.is_hit(i)) continue;
+      expect_same_hit(rays.hit(i), *expected, ray);
       ++met;
     }
-    ASSERT_FALSE(testing::Test::HasFailure());
+    if (testing::Test::HasFailure()) break;
   }
-  EXPECT_GT(met, 10000);
+  return met;
+}
+
+void expect_hits_of_single_rays(const Terrain& terrain) {
+  ASSERT_TRUE(EyeFront::serves(terrain));
+  Random random(12);
+  const auto rays = std::make_unique<EyeRays>();
+  const auto aim = [&](std::size_t /*i*/) { return direction_beside(random, terrain); };
+  EXPECT_GT(expect_hits_of_single_rays(terrain, *rays, 60, aim), 10000);
 }
 
 TEST(FarRays, MeetTheGroundAsSingleRaysDoOnAFlatEarth) {
@@ -122,6 +129,26 @@ TEST(FarRays, MeetTheGroundAsSingleRaysDoOnARoundEarth) {
 TEST(FarRays, MeetTheGroundAsSingleRaysDoOnBentTracks) {
   expect_hits_of_single_rays(wall_on(
       std::make_shared<const ParabolicGroundMap>(kEye_uv, kPost_m, 2e-8, 45000.0), round_earth()));
+}
+
+// Each row of rays begins where the row below it ended.
+TEST(FarRays, ThatFollowOthersUpwardsMeetTheGroundAsSingleRaysDo) {
+  for (const VerticalFrame& frame : {flat(), round_earth()}) {
+    const Terrain terrain = wall_on(straight(), frame);
+    Random random(13);
+    std::vector<glm::dvec3> directions;
+    while (directions.size() < EyeRays::kMost) {
+      directions.push_back(direction_beside(random, terrain));
+      directions.back().z = terrain.frame().at(glm::dvec2(directions.back())).z_m(-200);
+    }
+    const auto rays = std::make_unique<EyeRays>();
+    rays->begin_to_follow();
+    const auto rise = [&](std::size_t i) {
+      directions[i].z += random.log_uniform(1e-3, 60);
+      return directions[i];
+    };
+    EXPECT_GT(expect_hits_of_single_rays(terrain, *rays, 60, rise), 10000);
+  }
 }
 
 }  // namespace
