@@ -52,22 +52,7 @@ class Impact : public SmallView {
               more));
   }
 
-  std::vector<std::vector<std::string>> table() const {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(bytes("out/impact.csv"));
-    for (std::string line; std::getline(lines, line);) {
-      rows.emplace_back(1);
-      bool quoted = false;
-      for (const char c : line) {
-        if (c == '"') quoted = !quoted;
-        if (c == ',' && !quoted)
-          rows.back().emplace_back();
-        else
-          rows.back().back() += c;
-      }
-    }
-    return rows;
-  }
+  Rows table() const { return csv_rows(bytes("out/impact.csv")); }
 };
 
 TEST_F(Impact, WritesAReportItsTablesAndTheFilesOfEachViewpoint) {
