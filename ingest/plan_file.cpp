@@ -71,22 +71,17 @@ class MemoryPicture {
   }
 };
 
-[[noreturn]] void throw_failure(GdalScope& gdal) {
-  const std::string reason = gdal.take_failure();
-  throw std::runtime_error(reason.empty() ? "GDAL gives no reason" : reason);
-}
-
 // Red, green, blue and perhaps alpha, in GDAL's memory.
 GDALDatasetUniquePtr dataset_of(const PlanPicture& picture, int bands, GdalScope& gdal) {
   const int width = picture.colors.width_px();
   const int height = picture.colors.height_px();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
   GDALDatasetUniquePtr dataset(driver->Create("", width, height, bands, GDT_Byte, nullptr));
-  if (!dataset) throw_failure(gdal);
+  if (!dataset) gdal.throw_failure();
   const auto* first = reinterpret_cast<const GByte*>(picture.colors.pixels().data());
   if (dataset->RasterIO(GF_Write, 0, 0, width, height, const_cast<GByte*>(first), width, height,
                         GDT_Byte, bands, nullptr, 4, GSpacing{4} * width, 1, nullptr) != CE_None)
-    throw_failure(gdal);
+    gdal.throw_failure();
   constexpr std::array<GDALColorInterp, 4> kMeanings{GCI_RedBand, GCI_GreenBand, GCI_BlueBand,
                                                      GCI_AlphaBand};
   for (int band = 1; band <= bands; ++band)
@@ -176,7 +171,7 @@ PlanFiles encode_plan(const std::string& path, const PlanPicture& picture,
   GDALDatasetUniquePtr written(driver->CreateCopy(memory.path().c_str(), source.get(), FALSE,
                                                   creation_of(name, options).List(), nullptr,
                                                   nullptr));
-  if (!written) throw_failure(gdal);
+  if (!written) gdal.throw_failure();
   written.reset();
   if (const std::string reason = gdal.take_failure(); !reason.empty())
     throw std::runtime_error(reason);
