@@ -13,8 +13,8 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
+#include "ingest/dataset_place.h"
 #include "ingest/gdal_scope.h"
 #include "terrain/error.h"
 
@@ -90,17 +90,6 @@ GDALDatasetUniquePtr dataset_of(const PlanPicture& picture, int bands, GdalScope
   return dataset;
 }
 
-void set_place(GDALDataset& dataset, const PlanPicture& picture) {
-  const PostPlacement& at = picture.corners;
-  std::array<double, 6> transform{at.origin.x, at.step[0].x, at.step[1].x,
-                                  at.origin.y, at.step[0].y, at.step[1].y};
-  dataset.SetGeoTransform(transform.data());
-  if (picture.crs_wkt.empty()) return;
-  OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (crs.importFromWkt(picture.crs_wkt.c_str()) == OGRERR_NONE) dataset.SetSpatialRef(&crs);
-}
-
 bool has_gaps(const PlanPicture& picture) {
   const auto& colors = picture.colors.pixels();
   return std::any_of(colors.begin(), colors.end(),
@@ -163,7 +152,7 @@ PlanFiles encode_plan(const std::string& path, const PlanPicture& picture,
   const bool whitened = gaps && name == "JPEG";
   const GDALDatasetUniquePtr source =
       dataset_of(whitened ? on_white(picture) : picture, gaps && !whitened ? 4 : 3, gdal);
-  set_place(*source, picture);
+  set_place(*source, picture.corners, picture.crs_wkt);
   set_metadata(*source, name, options.metadata);
   const CPLConfigOptionSetter with_side_file("GDAL_PAM_ENABLED", "YES", false);
   const MemoryPicture memory;
