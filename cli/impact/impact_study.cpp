@@ -185,14 +185,23 @@ class ViewpointWork {
       look();
       files_.complete = true;
     } catch (const std::bad_alloc&) {
-      study_.error = "out of memory: use a --window of the DEM or a smaller --size";
+      fail("out of memory: use a --window of the DEM or a smaller --size");
     } catch (const std::exception& error) {
-      study_.error = error.what();
+      fail(error.what());
     }
     return std::move(study_);
   }
 
  private:
+  // Whatever was found before.
+  void fail(const std::string& why) {
+    ViewpointStudy failed;
+    failed.viewpoint = std::move(study_.viewpoint);
+    failed.name = std::move(study_.name);
+    failed.error = why;
+    study_ = std::move(failed);
+  }
+
   void look() {
     const ImpactOptions& options = ground_.options;
     const JobRow row = row_of(options, ground_.project, study_.viewpoint);

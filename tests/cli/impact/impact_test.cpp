@@ -225,6 +225,22 @@ TEST_F(Impact, LeavesNoFileOfTheStudyItReplaces) {
                  {"out/01_scene.json"});
 }
 
+// Here only its scene file cannot be written.
+TEST_F(Impact, OfAViewpointThatFailsAfterAllHasNoNumbers) {
+  const std::string name = "new\xff.geojson";
+  std::filesystem::copy_file(path("new.geojson"), path(name));
+  const Finished done =
+      run(words("impact plain.asc -q --viewpoints points.geojson --size 96x64 "
+                "--zone off -o out --buildings " +
+                name));
+  EXPECT_EQ(done.exit_code, 3);
+  EXPECT_TRUE(says(done.err, {"scene file: a name in it is not UTF-8: rename the file"}));
+  const Rows rows = table();
+  ASSERT_EQ(rows.size(), 4U);
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i][4], "") << "seen";
+  EXPECT_TRUE(says(bytes("out/report.html"), {"is seen from 0 of 0 viewpoints; 3 have no view."}));
+}
+
 TEST_F(Impact, InterruptedLeavesNothing) {
   Program program(words("impact plain.asc -q --existing old.geojson --buildings new.geojson "
                         "--viewpoints points.geojson --size 1600x1200 --samples 16 -o new/out"),
