@@ -18,6 +18,7 @@ while (($#)); do
   shift
 done
 
+cmake/setup.sh chromium chromium-driver python3  # tests/report
 cmake/build.sh "$preset"
 ctest --test-dir "build/$preset" --output-on-failure --no-tests=error --parallel "$(nproc)" \
   "${which_tests[@]}" "${arguments[@]}"

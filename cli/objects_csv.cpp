@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "cli/batch/csv.h"
+#include "render/objects/object_bounds.h"
 #include "render/objects/scene_objects.h"
 #include "render/parallel.h"
 
@@ -40,11 +41,8 @@ PixelRange pixels_of(const Camera& camera, const Box& box) {
   glm::dvec2 low(size);
   glm::dvec2 high(0);
   int behind = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 at(corner & 1 ? box.highest_m.x : box.lowest_m.x,
-                        corner & 2 ? box.highest_m.y : box.lowest_m.y,
-                        corner & 4 ? box.highest_m.z : box.lowest_m.z);
-    if (const auto point = camera.project(at)) {
+  for (const glm::dvec3& corner : corners_of(box)) {
+    if (const auto point = camera.project(corner)) {
       low = glm::min(low, *point);
       high = glm::max(high, *point);
     } else {

@@ -1,26 +1,48 @@
 #include "cli/svg.h"
 
 #include <cstdio>
+#include <string_view>
 
 namespace terrview {
+namespace {
+
+constexpr const char* kReplacement = "\xef\xbf\xbd";
+
+// What stands for a character that cannot stand for itself; null for others.
+const char* stand_in(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    case '\n':
+    case '\t':
+      return nullptr;
+    default:
+      return static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? kReplacement : nullptr;
+  }
+}
+
+}  // namespace
 
 std::string xml_text(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (text.compare(i, 2, "\xef\xbf") == 0 && i + 2 < text.size() &&
-             static_cast<unsigned char>(text[i + 2]) >= 0xbe)
-      i += 2;  // U+FFFE and U+FFFF are no XML
-    else
-      result += c;
+    const std::string_view three = std::string_view(text).substr(i, 3);
+    if (three == "\xef\xbf\xbe" || three == "\xef\xbf\xbf") {
+      result += kReplacement;
+      i += 2;
+    } else if (const char* other = stand_in(text[i])) {
+      result += other;
+    } else {
+      result += text[i];
+    }
   }
   return result;
 }

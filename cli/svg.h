@@ -7,7 +7,8 @@
 
 namespace terrview {
 
-// UTF-8 as the text of an element, or between double quotes.
+// UTF-8 as the text of an element, or between quotes, of XML and of HTML. Control characters,
+// U+FFFE and U+FFFF, which these have not, become U+FFFD.
 [[nodiscard]] std::string xml_text(const std::string& text);
 
 // A drawing to lay over a picture of `size_px`, one unit a pixel; `metadata` says what made it.

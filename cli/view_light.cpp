@@ -33,9 +33,8 @@ SunPosition without_refraction(const LightOptions& light, const SunSeenFrom& eye
 
 // Infinite where there is no air.
 double visibility_m(const AirOptions& air) {
-  constexpr double kVisibility_km = 60;
   if (air.extinction_per_km) return 1000 * kExtinctionTimesVisibility / *air.extinction_per_km;
-  return 1000 * air.visibility_km.value_or(kVisibility_km);
+  return 1000 * air.visibility_km.value_or(kUsualVisibility_km);
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ struct SunSeenFrom {
 // Sets the light and the sky of `scene`.
 void set_light(const LightOptions& light, const SunPosition& sun, Scene& scene);
 
+// Of air that no option tells of.
+inline constexpr double kUsualVisibility_km = 60;
+
 [[nodiscard]] Air make_air(const AirOptions& options);
 
 }  // namespace terrview

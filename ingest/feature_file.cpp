@@ -6,21 +6,16 @@
 #include <stdexcept>
 
 #include <cpl_conv.h>
-#include <cpl_vsi.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 #include <ogrsf_frmts.h>
 
 #include "ingest/gdal_scope.h"
+#include "ingest/memory_file.h"
 #include "render/write_file.h"
 
 namespace terrview {
 namespace {
-
-[[noreturn]] void throw_failure(GdalScope& gdal) {
-  const std::string reason = gdal.take_failure();
-  throw std::runtime_error(reason.empty() ? "GDAL gives no reason" : reason);
-}
 
 std::string date_text() {
   const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
@@ -31,39 +26,6 @@ std::string date_text() {
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S.000Z", &utc);
   return text;
 }
-
-// A setting of GDAL's in this thread, while it lives.
-class Setting {
- public:
-  Setting(const char* name, const std::string& value) : name_(name) {
-    CPLSetThreadLocalConfigOption(name, value.c_str());
-  }
-  ~Setting() { CPLSetThreadLocalConfigOption(name_, nullptr); }
-  Setting(const Setting&) = delete;
-  Setting& operator=(const Setting&) = delete;
-
- private:
-  const char* name_;
-};
-
-// A file in GDAL's memory.
-class MemoryName {
- public:
-  MemoryName() = default;
-  ~MemoryName() { VSIUnlink(path().c_str()); }
-  MemoryName(const MemoryName&) = delete;
-  MemoryName& operator=(const MemoryName&) = delete;
-
-  [[nodiscard]] std::string path() const {
-    return "/vsimem/terrview_features_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) +
-           ".gpkg";
-  }
-  [[nodiscard]] std::string_view bytes() const {
-    vsi_l_offset size = 0;
-    const GByte* data = VSIGetMemFileBuffer(path().c_str(), &size, FALSE);
-    return {reinterpret_cast<const char*>(data), data == nullptr ? 0 : size};
-  }
-};
 
 OGRwkbGeometryType type_of(FeatureGeometry geometry) {
   switch (geometry) {
@@ -117,13 +79,13 @@ void write_layer(GDALDataset& dataset, const FeatureLayer& from, GdalScope& gdal
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const bool has_crs = !from.crs_wkt.empty();
-  if (has_crs && crs.SetFromUserInput(from.crs_wkt.c_str()) != OGRERR_NONE) throw_failure(gdal);
+  if (has_crs && crs.SetFromUserInput(from.crs_wkt.c_str()) != OGRERR_NONE) gdal.throw_failure();
   OGRLayer* layer = dataset.CreateLayer(from.name.c_str(), has_crs ? &crs : nullptr,
                                         type_of(from.geometry), nullptr);
-  if (layer == nullptr) throw_failure(gdal);
+  if (layer == nullptr) gdal.throw_failure();
   for (const Field& field : from.fields) {
     OGRFieldDefn definition(field.name.c_str(), type_of(field.type));
-    if (layer->CreateField(&definition) != OGRERR_NONE) throw_failure(gdal);
+    if (layer->CreateField(&definition) != OGRERR_NONE) gdal.throw_failure();
   }
   for (const FeatureRow& row : from.rows) {
     OGRFeature feature(layer->GetLayerDefn());
@@ -131,7 +93,7 @@ void write_layer(GDALDataset& dataset, const FeatureLayer& from, GdalScope& gdal
       set_field(feature, static_cast<int>(i), row.values[i]);
     if (from.geometry != FeatureGeometry::none)
       feature.SetGeometryDirectly(geometry_of(row, from.geometry).release());
-    if (layer->CreateFeature(&feature) != OGRERR_NONE) throw_failure(gdal);
+    if (layer->CreateFeature(&feature) != OGRERR_NONE) gdal.throw_failure();
   }
 }
 
@@ -139,13 +101,13 @@ void write_layer(GDALDataset& dataset, const FeatureLayer& from, GdalScope& gdal
 
 void write_geopackage(const std::string& path, const std::vector<FeatureLayer>& layers) {
   GdalScope gdal;
-  const Setting date("OGR_CURRENT_DATE", date_text());
-  const MemoryName memory;
+  const CPLConfigOptionSetter date("OGR_CURRENT_DATE", date_text().c_str(), false);
+  const MemoryName memory(".gpkg");
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
   if (driver == nullptr) throw std::runtime_error("this GDAL writes no GeoPackage");
   GDALDatasetUniquePtr dataset(
       driver->Create(memory.path().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  if (!dataset) throw_failure(gdal);
+  if (!dataset) gdal.throw_failure();
   for (const FeatureLayer& layer : layers) write_layer(*dataset, layer, gdal);
   dataset.reset();
   if (const std::string failure = gdal.take_failure(); !failure.empty())

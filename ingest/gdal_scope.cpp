@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -82,6 +83,11 @@ std::string GdalScope::take_failure() {
   const std::string first = failures_.empty() ? std::string() : failures_.front();
   failures_.clear();
   return first;
+}
+
+void GdalScope::throw_failure() {
+  const std::string reason = take_failure();
+  throw std::runtime_error(reason.empty() ? "GDAL gives no reason" : reason);
 }
 
 std::vector<std::string> GdalScope::take_warnings() {

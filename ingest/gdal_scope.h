@@ -24,6 +24,9 @@ class GdalScope {
   // The first failure since the last call, in one line; empty = none.
   [[nodiscard]] std::string take_failure();
 
+  // Throws std::runtime_error with that.
+  [[noreturn]] void throw_failure();
+
   // The different warnings since the last call, one line each.
   [[nodiscard]] std::vector<std::string> take_warnings();
 

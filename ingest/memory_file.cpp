@@ -8,19 +8,24 @@
 
 namespace terrview {
 
+MemoryName::~MemoryName() { VSIUnlink(path().c_str()); }
+
+std::string MemoryName::path() const {
+  return "/vsimem/terrview_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + extension_;
+}
+
+std::string_view MemoryName::bytes() const {
+  vsi_l_offset size = 0;
+  const GByte* data = VSIGetMemFileBuffer(path().c_str(), &size, FALSE);
+  return {reinterpret_cast<const char*>(data), static_cast<std::size_t>(size)};
+}
+
 MemoryFile::MemoryFile() {
   CPLPushErrorHandler(CPLQuietErrorHandler);
   CPLErrorReset();
 }
 
-MemoryFile::~MemoryFile() {
-  VSIUnlink(path().c_str());
-  CPLPopErrorHandler();
-}
-
-std::string MemoryFile::path() const {
-  return "/vsimem/terrview_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".tif";
-}
+MemoryFile::~MemoryFile() { CPLPopErrorHandler(); }
 
 GDALDatasetUniquePtr MemoryFile::create(glm::ivec2 size, int bands, GDALDataType type,
                                         const char* const* options) const {
@@ -32,12 +37,6 @@ GDALDatasetUniquePtr MemoryFile::create(glm::ivec2 size, int bands, GDALDataType
   // Libtiff's complaints are lost where another library has taken over its error handler.
   if (!dataset) throw std::runtime_error("GDAL makes no such file");
   return dataset;
-}
-
-std::string_view MemoryFile::bytes() const {
-  vsi_l_offset size = 0;
-  const GByte* data = VSIGetMemFileBuffer(path().c_str(), &size, FALSE);
-  return {reinterpret_cast<const char*>(data), static_cast<std::size_t>(size)};
 }
 
 void MemoryFile::throw_if_failed() const {

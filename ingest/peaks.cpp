@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include <cpl_string.h>
 #include <ogrsf_frmts.h>
 
 #include "ingest/feature_attributes.h"
@@ -43,17 +42,6 @@ std::optional<double> length_in(const VectorFeature& feature, const Names& names
   return text ? length_of(*text) : std::nullopt;
 }
 
-// Without control characters, which neither XML nor a line of text has.
-std::string one_line(const VectorFeature& feature, std::string text) {
-  if (CPLIsUTF8(text.data(), static_cast<int>(text.size())) == 0)
-    feature.refuse("its name is not UTF-8: save the file as UTF-8");
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 class PeakReader {
  public:
   PeakFile read(const std::string& path) {
@@ -78,7 +66,7 @@ class PeakReader {
     Peak peak;
     peak.number = feature.number();
     peak.place = *place;
-    peak.name = one_line(feature, feature.text(Names{"name"}).value_or(""));
+    peak.name = feature.line(Names{"name"});
     if (peak.name.empty()) {
       ++result_.without_name;
       return;

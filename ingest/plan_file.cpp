@@ -13,8 +13,8 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
+#include "ingest/dataset_place.h"
 #include "ingest/gdal_scope.h"
 #include "terrain/error.h"
 
@@ -71,39 +71,23 @@ class MemoryPicture {
   }
 };
 
-[[noreturn]] void throw_failure(GdalScope& gdal) {
-  const std::string reason = gdal.take_failure();
-  throw std::runtime_error(reason.empty() ? "GDAL gives no reason" : reason);
-}
-
 // Red, green, blue and perhaps alpha, in GDAL's memory.
 GDALDatasetUniquePtr dataset_of(const PlanPicture& picture, int bands, GdalScope& gdal) {
   const int width = picture.colors.width_px();
   const int height = picture.colors.height_px();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
   GDALDatasetUniquePtr dataset(driver->Create("", width, height, bands, GDT_Byte, nullptr));
-  if (!dataset) throw_failure(gdal);
+  if (!dataset) gdal.throw_failure();
   const auto* first = reinterpret_cast<const GByte*>(picture.colors.pixels().data());
   if (dataset->RasterIO(GF_Write, 0, 0, width, height, const_cast<GByte*>(first), width, height,
                         GDT_Byte, bands, nullptr, 4, GSpacing{4} * width, 1, nullptr) != CE_None)
-    throw_failure(gdal);
+    gdal.throw_failure();
   constexpr std::array<GDALColorInterp, 4> kMeanings{GCI_RedBand, GCI_GreenBand, GCI_BlueBand,
                                                      GCI_AlphaBand};
   for (int band = 1; band <= bands; ++band)
     dataset->GetRasterBand(band)->SetColorInterpretation(
         kMeanings[static_cast<std::size_t>(band - 1)]);
   return dataset;
-}
-
-void set_place(GDALDataset& dataset, const PlanPicture& picture) {
-  const PostPlacement& at = picture.corners;
-  std::array<double, 6> transform{at.origin.x, at.step[0].x, at.step[1].x,
-                                  at.origin.y, at.step[0].y, at.step[1].y};
-  dataset.SetGeoTransform(transform.data());
-  if (picture.crs_wkt.empty()) return;
-  OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (crs.importFromWkt(picture.crs_wkt.c_str()) == OGRERR_NONE) dataset.SetSpatialRef(&crs);
 }
 
 bool has_gaps(const PlanPicture& picture) {
@@ -168,7 +152,7 @@ PlanFiles encode_plan(const std::string& path, const PlanPicture& picture,
   const bool whitened = gaps && name == "JPEG";
   const GDALDatasetUniquePtr source =
       dataset_of(whitened ? on_white(picture) : picture, gaps && !whitened ? 4 : 3, gdal);
-  set_place(*source, picture);
+  set_place(*source, picture.corners, picture.crs_wkt);
   set_metadata(*source, name, options.metadata);
   const CPLConfigOptionSetter with_side_file("GDAL_PAM_ENABLED", "YES", false);
   const MemoryPicture memory;
@@ -176,7 +160,7 @@ PlanFiles encode_plan(const std::string& path, const PlanPicture& picture,
   GDALDatasetUniquePtr written(driver->CreateCopy(memory.path().c_str(), source.get(), FALSE,
                                                   creation_of(name, options).List(), nullptr,
                                                   nullptr));
-  if (!written) throw_failure(gdal);
+  if (!written) gdal.throw_failure();
   written.reset();
   if (const std::string reason = gdal.take_failure(); !reason.empty())
     throw std::runtime_error(reason);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -107,6 +108,17 @@ std::optional<std::string> VectorFeature::text(std::span<const std::string_view>
     }
   }
   return std::nullopt;
+}
+
+std::string VectorFeature::line(std::span<const std::string_view> names) const {
+  std::string value = text(names).value_or("");
+  if (CPLIsUTF8(value.data(), static_cast<int>(value.size())) == 0)
+    refuse("its " + std::string(names.front()) + " is not UTF-8: save the file as UTF-8");
+  for (char& c : value)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  const std::size_t first = value.find_first_not_of(' ');
+  if (first == std::string::npos) return "";
+  return value.substr(first, value.find_last_not_of(' ') - first + 1);
 }
 
 std::string VectorFeature::fields() const {

@@ -29,6 +29,10 @@ class VectorFeature {
   // case, and ':' or '_'. Dates with a time are ISO 8601, with an offset only if the field has one.
   [[nodiscard]] std::optional<std::string> text(std::span<const std::string_view> names) const;
 
+  // The same as one line without blanks at its ends; control characters become blanks. Empty where
+  // there is none. Throws InputError for what is no UTF-8.
+  [[nodiscard]] std::string line(std::span<const std::string_view> names) const;
+
   // The names of the fields that features of this file have, parted by commas; the first twenty.
   [[nodiscard]] std::string fields() const;
 

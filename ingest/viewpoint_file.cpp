@@ -5,7 +5,6 @@
 #include <span>
 #include <string_view>
 
-#include <cpl_string.h>
 #include <ogr_geometry.h>
 
 #include "ingest/feature_attributes.h"
@@ -32,15 +31,7 @@ constexpr std::array<OptionField, 12> kOptions{{{"heading", "heading"},
                                                 {"sun", "sun"},
                                                 {"time", "time"}}};
 
-std::string name_of(const VectorFeature& feature) {
-  constexpr std::array<std::string_view, 2> kFields{"name", "id"};
-  std::string text = feature.text(kFields).value_or("");
-  if (CPLIsUTF8(text.data(), static_cast<int>(text.size())) == 0)
-    feature.refuse("its name is not UTF-8: save the file as UTF-8");
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  return text;
-}
+constexpr std::array<std::string_view, 2> kNames{"name", "id"};
 
 glm::dvec2 place_of(const VectorFeature& feature) {
   const OGRGeometry* geometry = feature.geometry();
@@ -64,7 +55,7 @@ std::optional<double> eye_height_m(const VectorFeature& feature) {
 Viewpoint viewpoint_of(const VectorFeature& feature) {
   Viewpoint viewpoint;
   viewpoint.number = feature.number();
-  viewpoint.name = name_of(feature);
+  viewpoint.name = feature.line(kNames);
   viewpoint.place = place_of(feature);
   viewpoint.eye_height_m = eye_height_m(feature);
   for (const OptionField& known : kOptions)

@@ -1,35 +1,18 @@
 #include "ingest/zone_file.h"
 
-#include <algorithm>
-#include <array>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
 #include <cpl_error.h>
 #include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
+#include "ingest/dataset_place.h"
 #include "ingest/memory_file.h"
 #include "render/write_file.h"
 
 namespace terrview {
 namespace {
-
-// GDAL's origin is the corner of the first pixel; posts are the middles of pixels.
-void set_place(GDALDataset& dataset, const Zone& zone) {
-  const glm::dmat2& step = zone.placement.step;
-  const glm::dvec2 corner = zone.placement.at({-0.5, -0.5});
-  std::array<double, 6> transform{corner.x, step[0].x, step[1].x, corner.y, step[0].y, step[1].y};
-  dataset.SetGeoTransform(transform.data());
-  if (zone.crs_wkt.empty()) return;
-  OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (crs.SetFromUserInput(zone.crs_wkt.c_str(),
-                           OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) ==
-      OGRERR_NONE)
-    dataset.SetSpatialRef(&crs);
-}
 
 void write_band(GDALRasterBand& band, const char* name, const std::vector<float>& values) {
   band.SetDescription(name);
@@ -54,7 +37,8 @@ void write_zone(const std::string& path, const Zone& zone, const std::string& de
   GDALDatasetUniquePtr dataset = memory.create({zone.columns, zone.rows}, 2, GDT_Float32, options);
   if (!description.empty())
     dataset->SetMetadataItem("TIFFTAG_IMAGEDESCRIPTION", description.c_str());
-  set_place(*dataset, zone);
+  const PostPlacement& posts = zone.placement;
+  set_place(*dataset, {posts.at({-0.5, -0.5}), posts.step}, zone.crs_wkt);
   dataset->GetRasterBand(1)->SetNoDataValue(Zone::kNoData);  // of all bands of a GeoTIFF
   write_band(*dataset->GetRasterBand(1), "targets seen", zone.counts);
   dataset->GetRasterBand(2)->SetUnitType("degree");

@@ -5,14 +5,13 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "terrain/column_tracer.h"
 #include "terrain/column_walk.h"
 #include "terrain/tracer.h"
 #include "terrain/vector_ground-inl.h"
-#include "terrain/vertical_math.h"
+#include "terrain/vector_limits.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -159,15 +158,7 @@ namespace terrview {
 HWY_EXPORT(lane_count);
 HWY_EXPORT(run_columns);
 
-bool has_columns(const Terrain& terrain) {
-  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
-  const HeightGrid& grid = *terrain.layers()[0].grid;
-  const VerticalFrame& frame = terrain.frame();
-  const double gamma =
-      terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
-  constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
-  return gamma * gamma < kSeriesLimit && static_cast<double>(grid.columns) * grid.rows < kMostPosts;
-}
+bool has_columns(const Terrain& terrain) { return within_vector_limits(terrain); }
 
 void trace_columns(const Terrain& terrain, const ColumnView& view, int first, int count,
                    std::span<ColumnHit> hits, TraceCounts& counts) {

@@ -31,8 +31,7 @@ struct ColumnHit {
   glm::ivec2 cell;
 };
 
-// Whether trace_columns() serves this terrain: one layer, the hyperboloid surface, and a reach
-// under 640 km.
+// Whether trace_columns() serves this terrain: within_vector_limits().
 [[nodiscard]] bool has_columns(const Terrain& terrain);
 
 // Traces the columns first ... first + count - 1 of `view`, in any number of calls. hits[i * rows +

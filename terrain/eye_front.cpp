@@ -12,7 +12,7 @@
 
 #include "terrain/eye_tracks.h"
 #include "terrain/sector_bounds.h"
-#include "terrain/vertical_math.h"
+#include "terrain/vector_limits.h"
 
 namespace terrview {
 
@@ -75,15 +75,9 @@ const std::array<float, EyeFront::kStartBins>& inverse_bin_slopes() {
 }  // namespace
 
 bool EyeFront::serves(const Terrain& terrain) {
-  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
+  if (!within_vector_limits(terrain)) return false;
   const TerrainLayer& layer = terrain.layers()[0];
-  const VerticalFrame& frame = terrain.frame();
-  const double gamma =
-      terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
-  constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
-  return layer.ceilings && (layer.map->linear() || layer.map->eye_tracks()) &&
-         gamma * gamma < kSeriesLimit &&
-         static_cast<double>(layer.grid->columns) * layer.grid->rows < kMostPosts;
+  return layer.ceilings && (layer.map->linear() || layer.map->eye_tracks());
 }
 
 EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)

@@ -40,9 +40,8 @@ class EyeFront {
   static constexpr int kStartBins = 1 << kStartBinBits;
   static constexpr double kHalfwaySlope = 0.25;
 
-  // Whether a front can be made: one layer under an affine map or one with EyeTracks, with
-  // ceilings, the hyperboloid
-  // surface, and a reach under 640 km.
+  // Whether a front can be made: within_vector_limits(), with ceilings, under an affine map or one
+  // with EyeTracks.
   [[nodiscard]] static bool serves(const Terrain& terrain);
 
   // `terrain` must outlive it.

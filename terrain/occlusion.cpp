@@ -17,6 +17,7 @@
 #include "terrain/tracer.h"
 #include "terrain/track_piece.h"
 #include "terrain/vector_ground-inl.h"
+#include "terrain/vector_limits.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -252,10 +253,8 @@ HWY_EXPORT(march);
 namespace {
 
 bool serves(const Terrain& terrain) {
-  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
-  const TerrainLayer& layer = terrain.layers()[0];
-  if (!layer.ceilings || layer.grid->heights_m.size() > (std::size_t{1} << 30)) return false;
-  return terrain.frame().z_scale > 0 && terrain.frame().is_convex(terrain.reach_m());
+  return within_vector_limits(terrain) && terrain.layers()[0].ceilings &&
+         terrain.frame().z_scale > 0 && terrain.frame().is_convex(terrain.reach_m());
 }
 
 // Up to kMost rays of a terrain.

@@ -18,7 +18,7 @@
 #include "terrain/sight_posts-inl.h"
 #include "terrain/sight_slopes-inl.h"
 #include "terrain/sight_sweep.h"
-#include "terrain/vertical_math.h"
+#include "terrain/vector_limits.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -365,15 +365,10 @@ namespace terrview {
 HWY_EXPORT(run_part);
 
 bool SightSweep::serves(const Terrain& terrain, const HeightGrid& grid) {
-  if (terrain.layers().size() != 1 || terrain.model() != SurfaceModel::hyperboloid) return false;
+  if (!within_vector_limits(terrain)) return false;
   const TerrainLayer& layer = terrain.layers()[0];
-  const VerticalFrame& frame = terrain.frame();
-  const double gamma =
-      terrain.reach_m() * std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
-  constexpr double kMostPosts = 1 << 30;  // gathers index with 32 bits
   return layer.grid.get() == &grid && (layer.map->linear() || layer.map->eye_tracks()) &&
-         gamma * gamma < kSeriesLimit && grid.covers(layer.map->to_grid({0, 0})) &&
-         static_cast<double>(grid.columns) * grid.rows < kMostPosts;
+         grid.covers(layer.map->to_grid({0, 0}));
 }
 
 void SightSweep::run(int side, int part, std::span<std::uint8_t> fates) const {

@@ -31,11 +31,12 @@ class SightSweep {
   static constexpr int kSides = 4;
   static constexpr int kParts = 64;  // of a side
 
-  // Whether there is a sweep: one layer, of `grid`, under an affine map or one with EyeTracks, the
-  // hyperboloid surface, a reach under 640 km, and the eye within the grid, not under its ground.
+  // Whether there is a sweep: within_vector_limits(), the layer of `grid`, under an affine map or
+  // one with EyeTracks, and the eye within the grid.
   [[nodiscard]] static bool serves(const Terrain& terrain, const HeightGrid& grid);
 
-  // Observers stand `observer_m` >= 0 above their posts. `terrain` must outlive the sweep.
+  // Observers stand `observer_m` >= 0 above their posts. The eye must not be under the ground.
+  // `terrain` must outlive the sweep.
   SightSweep(const Terrain& terrain, double observer_m)
       : terrain_(terrain), observer_m_(observer_m) {}
 

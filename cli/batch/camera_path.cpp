@@ -1,7 +1,6 @@
 #include "cli/batch/camera_path.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -10,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "cli/batch/spline.h"
+#include "cli/exact_text.h"
 #include "cli/parse.h"
 #include "cli/read_file.h"
 #include "ingest/exact_ground_map.h"
@@ -35,12 +35,6 @@ const std::map<std::string, Moving>& moving_columns() {
       {"roll", {1, 1, {0}}},      {"fov", {1, 1, {}}},      {"width", {1, 1, {}}},
       {"sun", {2, 2, {0}}}};
   return columns;
-}
-
-std::string shortest(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
 }
 
 // One column of keyframes as curves.
@@ -73,7 +67,7 @@ class Track {
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       double value = curves_[i].at(time_s);
       if (kind_.angles.count(i) > 0) value = std::remainder(value, 360.0);
-      text += (i > 0 ? "," : "") + std::string(is_over_ground(i) ? "+" : "") + shortest(value);
+      text += (i > 0 ? "," : "") + std::string(is_over_ground(i) ? "+" : "") + exact_text(value);
     }
     return text;
   }
@@ -166,9 +160,9 @@ JobTable keyframes_of(const Course& course, double duration_s, double lift_m) {
   for (std::size_t i = 0; i < course.places.size(); ++i) {
     const GeoPoint& at = course.places[i];
     JobRow& row = table.rows.emplace_back();
-    row.cells["time"] = {shortest((course.when[i] - course.when.front()) * scale)};
-    row.cells["eye"] = {shortest(at.latitude_deg) + "," + shortest(at.longitude_deg) + ",+" +
-                        shortest(lift_m)};
+    row.cells["time"] = {exact_text((course.when[i] - course.when.front()) * scale)};
+    row.cells["eye"] = {exact_text(at.latitude_deg) + "," + exact_text(at.longitude_deg) + ",+" +
+                        exact_text(lift_m)};
   }
   return table;
 }
@@ -186,7 +180,7 @@ void aim_ahead(JobTable& frames, double frames_per_s) {
     const std::size_t later = std::min(i + ahead, frames.rows.size() - 1);
     const glm::dvec2 way_m = ground_from_geographic(place(i), place(later));
     if (glm::length(way_m) > 1e-3)
-      heading = shortest(std::atan2(way_m.x, way_m.y) * 180 / std::numbers::pi);
+      heading = exact_text(std::atan2(way_m.x, way_m.y) * 180 / std::numbers::pi);
     frames.rows[i].cells["heading"] = {heading};
   }
 }

@@ -5,11 +5,11 @@
 #include <map>
 #include <numbers>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "cli/interrupt.h"
 #include "cli/objects_csv.h"
+#include "render/objects/object_bounds.h"
 #include "render/objects/scene_objects.h"
 #include "render/render.h"
 
@@ -29,24 +29,16 @@ std::map<std::int32_t, Parts> parts_of(const PlacedObjects& placed, std::int32_t
   return parts;
 }
 
-std::vector<glm::dvec3> corners_of(const Parts& parts) {
-  Box box = parts.front()->bounds();
-  for (const Prism* part : parts) {
-    const Box more = part->bounds();
-    box = {glm::min(box.lowest_m, more.lowest_m), glm::max(box.highest_m, more.highest_m)};
-  }
-  std::vector<glm::dvec3> corners;
-  for (int corner = 0; corner < 8; ++corner)
-    corners.emplace_back(corner & 1 ? box.highest_m.x : box.lowest_m.x,
-                         corner & 2 ? box.highest_m.y : box.lowest_m.y,
-                         corner & 4 ? box.highest_m.z : box.lowest_m.z);
-  return corners;
+Box box_around(const Parts& parts) {
+  std::vector<Box> boxes;
+  for (const Prism* part : parts) boxes.push_back(part->bounds());
+  return around(boxes);
 }
 
 // The angle between an axis and the corner furthest from it.
-double spread_rad(const std::vector<glm::dvec3>& corners, const glm::dvec3& axis) {
+double spread_rad(const Box& box, const glm::dvec3& axis) {
   double spread = 0;
-  for (const glm::dvec3& corner : corners)
+  for (const glm::dvec3& corner : corners_of(box))
     spread =
         std::max(spread, std::atan2(glm::length(glm::cross(corner, axis)), glm::dot(corner, axis)));
   return spread;
@@ -70,14 +62,14 @@ std::vector<Camera> all_round(int rays_across) {
   return cameras;
 }
 
-// Cameras that together see all of the corners' box, each direction once.
-std::vector<Camera> cameras_around(const std::vector<glm::dvec3>& corners, int rays_across) {
+// Cameras that together see all of the box, each direction once.
+std::vector<Camera> cameras_around(const Box& box, int rays_across) {
   constexpr double kAskew_rad = 0.55;
   constexpr double kWidest_rad = kPi / 4;
-  const glm::dvec3 middle_m = (corners.front() + corners.back()) / 2.0;
+  const glm::dvec3 middle_m = (box.lowest_m + box.highest_m) / 2.0;
   const double distance_m = glm::length(middle_m);
   const glm::dvec3 axis = distance_m > 0 ? middle_m / distance_m : glm::dvec3(0, 1, 0);
-  const double spread = spread_rad(corners, axis);
+  const double spread = spread_rad(box, axis);
   if (spread > kWidest_rad) return all_round(rays_across);
   CameraOptions options = square(rays_across, 2 * spread);
   options.heading_rad = std::atan2(axis.x, axis.y);
@@ -121,7 +113,7 @@ std::vector<BuildingSight> sights_of(const View& view, std::int32_t before,
   for (const auto& [id, parts] : parts_of(view.objects.placed, before)) {
     check_interrupt();
     BuildingSight sight{.id = id};
-    for (const Camera& camera : cameras_around(corners_of(parts), options.rays_across)) {
+    for (const Camera& camera : cameras_around(box_around(parts), options.rays_across)) {
       const Frame frame = render(scene, camera, {.threads = options.threads, .keep_samples = true});
       add_samples(view.frame, camera, frame.samples, sight);
     }

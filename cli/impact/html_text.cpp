@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/svg.h"
+
 namespace terrview {
 namespace {
 
@@ -29,27 +31,7 @@ std::string utf8_text(const std::string& text) {
   return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-std::string html_text(const std::string& text) {
-  std::string result;
-  for (const char c : utf8_text(text)) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (c == '\'')
-      result += "&#39;";
-    else if ((code < ' ' && c != '\n' && c != '\t') || code == 0x7f)
-      result += "\xef\xbf\xbd";
-    else
-      result += c;
-  }
-  return result;
-}
+std::string html_text(const std::string& text) { return xml_text(utf8_text(text)); }
 
 std::string data_uri(const std::string& media_type, std::string_view bytes) {
   return "data:" + media_type + ";base64," + base64(bytes);

@@ -9,8 +9,7 @@ namespace terrview {
 // With U+FFFD for what is no UTF-8.
 [[nodiscard]] std::string utf8_text(const std::string& text);
 
-// UTF-8 as the text of an element, or between double quotes. What is no UTF-8, or no character of
-// HTML, becomes U+FFFD.
+// xml_text() of any bytes: what is no UTF-8 becomes U+FFFD.
 [[nodiscard]] std::string html_text(const std::string& text);
 
 // The bytes of a file within a page.

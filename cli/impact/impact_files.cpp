@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::string number_text(int number, int count) {
   const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
   const std::string text = std::to_string(number);
-  return std::string(digits - std::min(digits, text.size()), '0') + text;
+  return std::string(digits - text.size(), '0') + text;
 }
 
 std::vector<std::string> files_read(const ImpactOptions& options) {

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "cli/impact/html_text.h"
 #include "cli/interrupt.h"
+#include "cli/overview_ticks.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/svg.h"
@@ -165,17 +165,9 @@ std::string viewpoint_marks(const MapLattice& map, const ImpactStudy& study) {
   return lines + marks;
 }
 
-// Of 1, 2 or 5 times a power of ten.
-double round_length_m(double most_m) {
-  const double power = std::pow(10, std::floor(std::log10(most_m)));
-  for (const double times : {5.0, 2.0})
-    if (times * power <= most_m) return times * power;
-  return power;
-}
-
 std::string scale_bar(const MapLattice& map, glm::dvec2 size_px) {
   constexpr double kShare = 0.25;
-  const double length_m = round_length_m(kShare * size_px.x * map.pixel_m());
+  const double length_m = round_length(kShare * size_px.x * map.pixel_m());
   const double length_px = length_m / map.pixel_m();
   const std::string label =
       length_m >= 1000 ? svg_number(length_m / 1000, 0) + " km" : svg_number(length_m, 0) + " m";

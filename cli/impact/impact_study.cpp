@@ -5,9 +5,8 @@
 #include <new>
 #include <utility>
 
-#include <nlohmann/json.hpp>
+#include "cli/exact_text.h"
 #include "cli/impact/picture_change.h"
-#include "cli/impact/place_text.h"
 #include "cli/interrupt.h"
 #include "cli/prepare_view.h"
 #include "cli/read_file.h"
@@ -15,7 +14,6 @@
 #include "cli/view_command.h"
 #include "cli/view_metadata.h"
 #include "cli/view_wireline.h"
-
 #include "render/image_file.h"
 #include "render/lines/wireline.h"
 #include "render/write_file.h"
@@ -23,6 +21,12 @@
 
 namespace terrview {
 namespace {
+
+// LAT,LON, or X,Y: as the command line takes them.
+std::string place_text(PlanPlace place, bool geographic) {
+  return geographic ? exact_text(place.y) + "," + exact_text(place.x)
+                    : exact_text(place.x) + "," + exact_text(place.y);
+}
 
 // The options of a viewpoint's views, as a row of a batch would have them.
 JobRow row_of(const ImpactOptions& options, const Project& project, const Viewpoint& viewpoint) {
@@ -87,16 +91,9 @@ std::vector<std::string> warnings_of(const View& view) {
 StudyPoint study_point(const SeenPoint& point, const ViewFrame& frame) {
   const glm::dvec2 ground_m(point.view_m);
   const VerticalFrame& vertical = frame.terrain()->frame();
-  StudyPoint result{
-      .height_m = vertical.at(ground_m).scene_height_m(point.view_m.z) / vertical.z_scale,
-      .distance_m = point.distance_m};
-  if (frame.is_geographic()) {
-    const GeoPoint place = frame.from_ground(ground_m);
-    result.place = {place.longitude_deg, place.latitude_deg};
-  } else {
-    result.place = frame.projected_from_ground(ground_m);
-  }
-  return result;
+  return {.place = plan_place(frame, ground_m),
+          .height_m = vertical.at(ground_m).scene_height_m(point.view_m.z) / vertical.z_scale,
+          .distance_m = point.distance_m};
 }
 
 SightNumbers numbers_of(const BuildingSight& sight, const PictureChange& change,
@@ -158,9 +155,9 @@ std::string write_picture(const PictureOrder& order, const Rendered& rendered, O
   return encode_jpeg(rendered.frame.image, kQuality);
 }
 
-std::string scene_text(OptionValues values, const ImpactOptions& options) {
+std::string scene_after(OptionValues values, const ImpactOptions& options) {
   values.erase("wireline");
-  return scene_json(values, options.view.dems, options.folder).dump(2) + "\n";
+  return scene_text(scene_json(values, options.view.dems, options.folder));
 }
 
 std::string wireline_text(const PictureOrder& order, const View& view) {
@@ -188,14 +185,23 @@ class ViewpointWork {
       look();
       files_.complete = true;
     } catch (const std::bad_alloc&) {
-      study_.error = "out of memory: use a --window of the DEM or a smaller --size";
+      fail("out of memory: use a --window of the DEM or a smaller --size");
     } catch (const std::exception& error) {
-      study_.error = error.what();
+      fail(error.what());
     }
     return std::move(study_);
   }
 
  private:
+  // Whatever was found before.
+  void fail(const std::string& why) {
+    ViewpointStudy failed;
+    failed.viewpoint = std::move(study_.viewpoint);
+    failed.name = std::move(study_.name);
+    failed.error = why;
+    study_ = std::move(failed);
+  }
+
   void look() {
     const ImpactOptions& options = ground_.options;
     const JobRow row = row_of(options, ground_.project, study_.viewpoint);
@@ -225,7 +231,7 @@ class ViewpointWork {
     study_.pictures.difference_png = fill(
         *files_.difference, [&](const std::string& path) { write_image(path, change.mask, {}); });
     study_.scene = fill(*files_.scene, [&](const std::string& path) {
-      write_file(path, scene_text(after.values, ground_.options));
+      write_file(path, scene_after(after.values, ground_.options));
     });
     study_.scene_name = std::filesystem::path(files_.scene->path()).filename().string();
     study_.pictures.wireline_svg = fill(*files_.wireline, [&](const std::string& path) {

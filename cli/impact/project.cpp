@@ -77,19 +77,14 @@ class ProjectPlacer {
   // To a millimetre, so that commands that aim there are short.
   void finish() {
     const double per_unit = project_.geographic ? 1e8 : 1e3;
-    project_.middle = glm::round(place_of((low_m_ + high_m_) / 2.0) * per_unit) / per_unit;
+    project_.middle =
+        glm::round(plan_place(frame_, (low_m_ + high_m_) / 2.0) * per_unit) / per_unit;
   }
 
  private:
-  [[nodiscard]] PlanPlace place_of(glm::dvec2 ground_m) const {
-    if (!frame_.is_geographic()) return frame_.projected_from_ground(ground_m);
-    const GeoPoint point = frame_.from_ground(ground_m);
-    return {point.longitude_deg, point.latitude_deg};
-  }
-
   void add_roof_point(const Prism& part, glm::dvec2 ground_m) {
     const VerticalFrame& vertical = frame_.terrain()->frame();
-    const PlanPlace at = place_of(ground_m);
+    const PlanPlace at = plan_place(frame_, ground_m);
     EyePlace point;
     if (frame_.is_geographic())
       point.geographic = GeoPoint{at.y, at.x};
@@ -105,7 +100,7 @@ class ProjectPlacer {
     PlanPolygon& rings = building.parts.emplace_back(1);
     for (std::size_t i = 0; i < footprint.vertices().size(); ++i) {
       const glm::dvec2 corner_m = footprint.vertices()[i];
-      rings.back().push_back(place_of(corner_m));
+      rings.back().push_back(plan_place(frame_, corner_m));
       if (footprint.is_edge(i))
         add_roof_point(part, corner_m);
       else if (i + 1 < footprint.vertices().size())
@@ -123,6 +118,12 @@ class ProjectPlacer {
 };
 
 }  // namespace
+
+PlanPlace plan_place(const ViewFrame& frame, glm::dvec2 ground_m) {
+  if (!frame.is_geographic()) return frame.projected_from_ground(ground_m);
+  const GeoPoint point = frame.from_ground(ground_m);
+  return {point.longitude_deg, point.latitude_deg};
+}
 
 Project read_project(const ViewOptions& options, std::size_t files, const std::vector<Dem>& dems,
                      SharedInputs& inputs) {

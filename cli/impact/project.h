@@ -18,6 +18,9 @@ namespace terrview {
 using PlanPlace = glm::dvec2;
 using PlanPolygon = std::vector<std::vector<PlanPlace>>;  // closed rings: the outer, then holes
 
+// Of a point of the ground in a frame.
+[[nodiscard]] PlanPlace plan_place(const ViewFrame& frame, glm::dvec2 ground_m);
+
 struct ProjectBuilding {
   std::int32_t id;   // in the views with the project
   int number;        // of the feature in its file

@@ -4,6 +4,7 @@
 #include "cli/impact/html_text.h"
 #include "cli/impact/report_numbers.h"
 #include "cli/impact/report_sections.h"
+#include "cli/view_light.h"
 #include "ingest/dem_info.h"
 
 namespace terrview {
@@ -57,10 +58,9 @@ std::string earth_words(const ReportParts& parts) {
 }
 
 std::string air_words(const AirOptions& air) {
-  constexpr double kUsual_km = 60;
   if (air.extinction_per_km)
     return "extinction " + short_number(*air.extinction_per_km) + " per km";
-  const double visibility_km = air.visibility_km.value_or(kUsual_km);
+  const double visibility_km = air.visibility_km.value_or(kUsualVisibility_km);
   if (visibility_km > 1e6) return "none";
   return "visibility " + short_number(visibility_km) + " km";
 }

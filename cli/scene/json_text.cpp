@@ -104,7 +104,8 @@ class Walk : public nlohmann::json_sax<SceneJson> {
     std::optional<std::size_t> matched = {};
 
     [[nodiscard]] std::string part() const {
-      return "/" + (keys ? pointer_part(key) : std::to_string(values - 1));
+      if (!keys) return "/" + std::to_string(values - 1);
+      return (SceneJson::json_pointer() / key).to_string();
     }
   };
 
@@ -158,12 +159,6 @@ class Walk : public nlohmann::json_sax<SceneJson> {
 };
 
 }  // namespace
-
-std::string pointer_part(const std::string& key) {
-  std::string text;
-  for (const char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return text;
-}
 
 JsonText::JsonText(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)) {

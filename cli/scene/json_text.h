@@ -10,9 +10,6 @@ namespace terrview {
 
 using SceneJson = nlohmann::json;
 
-// A key as a part of a JSON pointer (RFC 6901).
-[[nodiscard]] std::string pointer_part(const std::string& key);
-
 class JsonText {
  public:
   static constexpr std::size_t kDeepest = 200;                    // nesting of objects and arrays

@@ -64,7 +64,7 @@ std::string scene_text(const Json& scene) {
   try {
     return scene.dump(2) + "\n";
   } catch (const Json::type_error&) {
-    throw InputError("--print-scene: a name is not UTF-8: rename the file");
+    throw InputError("scene file: a name in it is not UTF-8: rename the file");
   }
 }
 

@@ -37,7 +37,7 @@ void SceneNode::check_keys(const std::vector<std::string>& known) const {
 SceneNode SceneNode::at(const std::string& key) const {
   if (!json_->is_object()) fail("give an object, as {\"" + key + "\": ...}");
   if (!has(key)) fail("'" + key + "' is missing: add it");
-  return {*file_, (*json_)[key], pointer_ + "/" + pointer_part(key)};
+  return {*file_, (*json_)[key], pointer_ + (SceneJson::json_pointer() / key).to_string()};
 }
 
 std::optional<SceneNode> SceneNode::find(const std::string& key) const {

@@ -1,6 +1,8 @@
 // The bounds of many objects.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -23,6 +25,15 @@ namespace terrview {
   for (const Box& box : boxes)
     sum = {glm::min(sum.lowest_m, box.lowest_m), glm::max(sum.highest_m, box.highest_m)};
   return sum;
+}
+
+[[nodiscard]] inline std::array<glm::dvec3, 8> corners_of(const Box& box) {
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {i & 1U ? box.highest_m.x : box.lowest_m.x,
+                  i & 2U ? box.highest_m.y : box.lowest_m.y,
+                  i & 4U ? box.highest_m.z : box.lowest_m.z};
+  return corners;
 }
 
 }  // namespace terrview

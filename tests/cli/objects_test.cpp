@@ -2,7 +2,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <sstream>
 
 #include "cli/objects_csv.h"
 #include "tests/cli/small_view.h"
@@ -34,25 +33,6 @@ class ObjectsOfView : public SmallView {
     return done.err;
   }
 };
-
-using Rows = std::vector<std::vector<std::string>>;
-
-Rows rows_of(const std::string& csv) {
-  Rows rows;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    rows.emplace_back(1);
-    bool quoted = false;
-    for (const char c : line) {
-      if (c == '"') quoted = !quoted;
-      if (c == ',' && !quoted)
-        rows.back().emplace_back();
-      else
-        rows.back().back() += c;
-    }
-  }
-  return rows;
-}
 
 TEST_F(ObjectsOfView, AreCountedInTheSummary) {
   EXPECT_TRUE(says(plain("--buildings b.geojson --trees t.geojson"),
@@ -97,7 +77,7 @@ TEST_F(ObjectsOfView, HaveTheirNumbersInLayersAndCsv) {
       ++pixels[static_cast<int>(id)];
       solid_angle_sr[static_cast<int>(id)] += k * k / std::pow(1 + x * x + y * y, 1.5);
     }
-  const Rows rows = rows_of(bytes("o.csv"));
+  const Rows rows = csv_rows(bytes("o.csv"));
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "kind", "feature", "name", "height_m",
                                                "pixels", "solid_angle_sr", "share_visible"}));
@@ -121,7 +101,7 @@ TEST_F(ObjectsOfView, HaveTheirNumbersInLayersAndCsv) {
 
 TEST_F(ObjectsOfView, PartlyHiddenShowTheirShare) {
   plain("-q --buildings b.geojson --default-height 60 --objects-csv o.csv --layers l.tif");
-  const auto row = rows_of(bytes("o.csv"))[2];
+  const auto row = csv_rows(bytes("o.csv"))[2];
   // 20 m under the eye to 40 m over it at 250 m; the block before it hides all up to 20 m over the
   // eye at 150 m.
   EXPECT_NEAR(std::stod(row[7]), (40 / 250.0 - 20 / 150.0) / (60 / 250.0), 0.03);

@@ -105,6 +105,23 @@ std::vector<std::string> SmallView::outputs() const {
   return names;
 }
 
+Rows csv_rows(const std::string& csv) {
+  Rows rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back(1);
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && !quoted)
+        rows.back().emplace_back();
+      else
+        rows.back().back() += c;
+    }
+  }
+  return rows;
+}
+
 void expect_refused(const Finished& finished, const std::vector<std::string>& parts) {
   EXPECT_EQ(finished.exit_code, 2) << finished.err;
   EXPECT_EQ(finished.out, "");

@@ -58,6 +58,10 @@ class SmallView : public testing::Test {
   TemporaryFolder folder_;
 };
 
+// The cells of each line, without quotes; commas within these part none.
+using Rows = std::vector<std::vector<std::string>>;
+[[nodiscard]] Rows csv_rows(const std::string& csv);
+
 // The program has refused: exit code 2, one line with every one of `parts`, nothing else said.
 void expect_refused(const Finished& finished, const std::vector<std::string>& parts);
 

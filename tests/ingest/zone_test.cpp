@@ -81,6 +81,15 @@ TEST(Zone, ScalesHeightsButNotTheObserver) {
   EXPECT_EQ(scaled.counts[scaled.index(30, 1)], 0);
 }
 
+// 3 m and 4 m of target make 30 m and 40 m, over ground of 2 m that makes 20 m.
+TEST(Zone, SubtendsTheAngleOfScaledHeights) {
+  const Dem dem = laid_flat(21, 3, 10, [](int, int) { return 2.0; });
+  const Zone zone = visible_zone({dem}, {target_at({0, 10}, 3), target_at({0, 10}, 4)},
+                                 {.observer_m = 1.6, .frame = {.z_scale = 10}});
+  const double expected = std::atan((40 - 21.6) / 100) - std::atan((30 - 21.6) / 100);
+  EXPECT_NEAR(zone.angles_rad[zone.index(10, 1)], expected, 1e-6);
+}
+
 TEST(Zone, IsHiddenByObstacles) {
   struct Hedge final : ObjectSet {
     Hedge() : ObjectSet({}) {}

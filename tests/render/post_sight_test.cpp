@@ -14,6 +14,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/objects/object_set.h"
+#include "render/objects/sphere.h"
 #include "terrain/post_sight_lines.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/oracle.h"
@@ -164,6 +166,17 @@ TEST(PostSight, AgreesWithBruteForceInLongDouble) {
   }
   EXPECT_GT(seen_posts, 3000);
   EXPECT_GT(hidden_posts, 3000);
+}
+
+// A ball of 1 m between the eye and one of the observers, 2 m before him.
+TEST(PostSight, IsHiddenByObjectsAllTheWayToTheObserver) {
+  const Terrain terrain = make_terrain(
+      make_grid(21, 3, [](int, int) { return 0; }),
+      {.eye_uv = {0, 1}, .spacing_m = {10, 10}, .eye_height_m = 1.6}, SurfaceModel::hyperboloid);
+  const ObjectList ball({std::make_shared<Sphere>(glm::dvec3(98, 0, 0), 1)});
+  const Seen seen = posts_that_see_eye(terrain, first_grid(terrain), {.objects = &ball});
+  for (std::size_t column = 0; column < 21; ++column)
+    EXPECT_EQ(seen[21 + column], column < 10 ? 1 : 0) << column;
 }
 
 TEST(PostSight, HasNoSightWithoutAHeight) {

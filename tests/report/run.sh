@@ -1,7 +1,7 @@
 #!/bin/bash
 # tests/report/run.sh [TERRVIEW [FOLDER]]: a report of `terrview impact`, opened in a real browser:
 # its sliders move, it asks nothing of the network, its console stays empty, and it prints. FOLDER
-# (default: a temporary one) keeps what the browser shows. Exit code 77 where the browser is missing.
+# (default: a temporary one) keeps what the browser shows.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -12,7 +12,7 @@ mkdir -p "$folder"
 [[ $kept ]] || trap 'rm -rf "$folder"' EXIT
 
 for tool in chromium chromedriver python3; do
-  command -v "$tool" >/dev/null || { echo "report: skipped: there is no $tool here: install chromium, chromium-driver and python3"; exit 77; }
+  command -v "$tool" >/dev/null || { echo "report: there is no $tool here: install chromium, chromium-driver and python3, as ./test.sh does"; exit 1; }
 done
 
 cd "$folder"

@@ -163,14 +163,5 @@ TEST(TraceColumns, WalksEachColumnOnce) {
   EXPECT_LE(counts.tests, 64 * (2 * 200 + 500));
 }
 
-TEST(TraceColumns, ServesOneHyperboloidLayer) {
-  Random random(4);
-  for (int i = 0; i < 100; ++i) {
-    EXPECT_FALSE(has_columns(random_layers(random, SurfaceModel::hyperboloid)));
-    EXPECT_FALSE(has_columns(random_terrain(random, SurfaceModel::triangles, Position::general)));
-    EXPECT_TRUE(has_columns(random_terrain(random, SurfaceModel::hyperboloid, Position::general)));
-  }
-}
-
 }  // namespace
 }  // namespace terrview

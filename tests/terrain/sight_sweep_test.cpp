@@ -65,6 +65,25 @@ Terrain bent(bool holes) {
   return over(hills(600, 640, holes), map, 240);
 }
 
+// Spikes of ground from below the eye to above it, on grids so small that every post is near.
+Terrain rough(Random& random, double bend_per_m) {
+  constexpr int kPosts = 32;
+  const double height_m = random.log_uniform(3, 300);
+  HeightGrid grid = make_grid(kPosts, kPosts, [&](int, int) {
+    return random.chance(0.01) ? static_cast<double>(kVoid)
+                               : height_m * std::pow(random.uniform(0, 1), 3);
+  });
+  const glm::dvec2 eye_uv(random.uniform(8, 24), random.uniform(8, 24));
+  const double turn = random.uniform(0, 6.3);
+  const glm::dmat2 jacobian{std::cos(turn) / kSpacing_m, std::sin(turn) / kSpacing_m,
+                            std::sin(turn) / kSpacing_m, -std::cos(turn) / kSpacing_m};
+  std::shared_ptr<const GroundMap> map =
+      std::make_shared<AffineGroundMap>(eye_uv, jacobian, glm::ivec2(kPosts));
+  if (bend_per_m > 0)
+    map = std::make_shared<ParabolicGroundMap>(eye_uv, kSpacing_m, bend_per_m, 100 * kSpacing_m);
+  return over(std::move(grid), map, height_m * random.log_uniform(0.1, 10) + 1);
+}
+
 Fates sweep(const Terrain& terrain) {
   const HeightGrid& grid = *terrain.layers()[0].grid;
   EXPECT_TRUE(SightSweep::serves(terrain, grid));
@@ -108,6 +127,19 @@ TEST(SightSweep, DecidesAsRaysWhereTracksBend) {
     const Terrain terrain = bent(holes);
     expect_as_rays_say(terrain, sweep(terrain), 3);
   }
+}
+
+TEST(SightSweep, DecidesAsRaysNearTheEye) {
+  Random random(5);
+  int swept = 0;
+  for (int i = 0; i < 750; ++i) {
+    const Terrain terrain = rough(random, /*bend_per_m=*/i % 5 == 0 ? 3e-4 : 0);
+    const auto ground = terrain.ground_at({0, 0});
+    if (!ground || ground->scene_height_m >= terrain.frame().eye_height_m) continue;
+    ++swept;
+    expect_as_rays_say(terrain, sweep(terrain), 1);
+  }
+  EXPECT_GT(swept, 500);
 }
 
 TEST(SightSweep, DecidesAsRaysUnderEveryInstructionSet) {

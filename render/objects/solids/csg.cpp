@@ -1,6 +1,7 @@
 #include "render/objects/solids/csg.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -8,6 +9,8 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "render/objects/object_bounds.h"
 
 namespace terrview {
 namespace {
@@ -17,10 +20,6 @@ Box overlap(const Box& a, const Box& b) {
   constexpr double kEndless = std::numeric_limits<double>::infinity();
   const bool is_empty = glm::any(glm::greaterThan(both.lowest_m, both.highest_m));
   return is_empty ? Box{glm::dvec3(kEndless), glm::dvec3(-kEndless)} : both;
-}
-
-Box hull(const Box& a, const Box& b) {
-  return {glm::min(a.lowest_m, b.lowest_m), glm::max(a.highest_m, b.highest_m)};
 }
 
 bool may_meet(const Line& line, const Box& box) {
@@ -91,7 +90,7 @@ CsgSolid::CsgSolid(CsgOperator op, SolidPtr left, SolidPtr right)
       left_box_(left_->bounds()),
       right_box_(right_->bounds()) {
   if (op == CsgOperator::add) {
-    bounds_ = hull(left_box_, right_box_);
+    bounds_ = around(std::array{left_box_, right_box_});
     return;
   }
   right_box_ = overlap(left_box_, right_box_);

@@ -22,6 +22,8 @@ TEST(HtmlText, ReplacesWhatIsNoText) {
             "a" + unknown + "b");
   EXPECT_EQ(html_text(std::string("a\0b\x1f", 4)), "a" + unknown + "b" + unknown);
   EXPECT_EQ(html_text("\xe6\x9d"), unknown) << "a broken letter";
+  EXPECT_EQ(html_text("a\uFFFE\uFFFFb\uFFFC\x7f\n\t"),
+            "a" + unknown + unknown + "b\uFFFC" + unknown + "\n\t");
 }
 
 RC_GTEST_PROP(HtmlText, IsUtf8WithoutMarkupWhateverTheBytes, (const std::string& bytes)) {

@@ -1,11 +1,13 @@
 // `terrview impact`: docs/cli.md and docs/impact.md.
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <regex>
 #include <thread>
 
+#include "cli/impact/impact_options.h"
 #include "tests/cli/small_picture.h"
 #include "tests/cli/small_view.h"
 
@@ -19,25 +21,29 @@ class Impact : public SmallView {
   // Over the plain: a low block stands, a tower is planned behind it, seen from three points in the
   // south, one of which looks away, and not from one behind the block.
   Impact() {
-    write_text(path("old.geojson"), feature(R"("height":12)", "360,200,420,240"));
+    write_text(path("old.geojson"), collection(building(R"("height":12)", "360,200,420,240")));
     write_text(path("new.geojson"),
-               feature(R"("height":60,"name":"<script>alert(1)</script>")", "380,300,400,320"));
+               collection(building(R"("height":60,"name":"<script>alert(1)</script>")",
+                                   "380,300,400,320")));
     write_text(path("points.geojson"),
-               R"({"type":"FeatureCollection","features":[)" +
-                   point(R"("name":"South","eye_height":20)", "390,50") + "," +
-                   point(R"("name":"Beside, \"the\" <b>","heading":270)", "500,100") + "," +
-                   point(R"("name":"Behind the block")", "390,196") + "]}");
+               collection(point(R"("name":"South","eye_height":20)", "390,50") + "," +
+                          point(R"("name":"Beside, \"the\" <b>","heading":270)", "500,100") + "," +
+                          point(R"("name":"Behind the block")", "390,196")));
   }
 
-  static std::string feature(const std::string& properties, const std::string& box) {
+  static std::string building(const std::string& properties, const std::string& box) {
     std::array<double, 4> b{};
     std::sscanf(box.c_str(), "%lf,%lf,%lf,%lf", &b[0], &b[1], &b[2], &b[3]);
     std::string ring;
     for (const auto& [x, y] : {std::pair(b[0], b[1]), {b[2], b[1]}, {b[2], b[3]}, {b[0], b[3]}})
       ring += "[" + std::to_string(x) + "," + std::to_string(y) + "],";
-    return R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{)" +
-           properties + R"(},"geometry":{"type":"Polygon","coordinates":[[)" + ring + "[" +
-           std::to_string(b[0]) + "," + std::to_string(b[1]) + "]]]}}]}";
+    return R"({"type":"Feature","properties":{)" + properties +
+           R"(},"geometry":{"type":"Polygon","coordinates":[[)" + ring + "[" +
+           std::to_string(b[0]) + "," + std::to_string(b[1]) + "]]]}}";
+  }
+
+  static std::string collection(const std::string& features) {
+    return R"({"type":"FeatureCollection","features":[)" + features + "]}";
   }
 
   static std::string point(const std::string& properties, const std::string& at) {
@@ -52,22 +58,7 @@ class Impact : public SmallView {
               more));
   }
 
-  std::vector<std::vector<std::string>> table() const {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(bytes("out/impact.csv"));
-    for (std::string line; std::getline(lines, line);) {
-      rows.emplace_back(1);
-      bool quoted = false;
-      for (const char c : line) {
-        if (c == '"') quoted = !quoted;
-        if (c == ',' && !quoted)
-          rows.back().emplace_back();
-        else
-          rows.back().back() += c;
-      }
-    }
-    return rows;
-  }
+  Rows table() const { return csv_rows(bytes("out/impact.csv")); }
 };
 
 TEST_F(Impact, WritesAReportItsTablesAndTheFilesOfEachViewpoint) {
@@ -171,10 +162,10 @@ TEST_F(Impact, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(Impact, GoesOnWhereAViewpointHasNoView) {
-  write_text(path("points.geojson"), R"({"type":"FeatureCollection","features":[)" +
-                                         point(R"("name":"South")", "390,50") + "," +
-                                         point(R"("name":"Off the ground")", "9000,50") + "," +
-                                         point(R"("name":"Odd","fov":"wide")", "390,60") + "]}");
+  write_text(path("points.geojson"),
+             collection(point(R"("name":"South")", "390,50") + "," +
+                        point(R"("name":"Off the ground")", "9000,50") + "," +
+                        point(R"("name":"Odd","fov":"wide")", "390,60")));
   const Finished done = study();
   EXPECT_EQ(done.exit_code, 3);
   EXPECT_TRUE(says(
@@ -227,9 +218,8 @@ TEST_F(Impact, LeavesNoFileOfTheStudyItReplaces) {
   ASSERT_EQ(study().exit_code, 0);
   write_text(path("out/7_before.png"), "mine");
   write_text(path("out/notes.txt"), "mine");
-  write_text(path("points.geojson"), R"({"type":"FeatureCollection","features":[)" +
-                                         point(R"("name":"South")", "390,50") + "," +
-                                         point(R"("name":"Off the ground")", "9000,50") + "]}");
+  write_text(path("points.geojson"), collection(point(R"("name":"South")", "390,50") + "," +
+                                                point(R"("name":"Off the ground")", "9000,50")));
   EXPECT_EQ(study("--zone off --overwrite").exit_code, 3);
   EXPECT_EQ(names_in(path("out")),
             (std::set<std::string>{"01_before.png", "01_after.png", "01_difference.png",
@@ -238,6 +228,60 @@ TEST_F(Impact, LeavesNoFileOfTheStudyItReplaces) {
   expect_refused(run(words("impact plain.asc -q --buildings new.geojson --viewpoints "
                            "out/01_scene.json -o out --overwrite --zone off")),
                  {"out/01_scene.json"});
+}
+
+TEST_F(Impact, FindsOfTheWholeProjectWhatItsBuildingsHaveTogether) {
+  const std::string high = R"("height":60)";
+  write_text(path("new.geojson"), collection(building(high, "380,300,400,320") + "," +
+                                             building(high, "430,400,450,420")));
+  write_text(path("points.geojson"), collection(point(R"("eye_height":20)", "390,50")));
+  // The scene's ground is at 600 m, its roofs at 660 m.
+  ASSERT_EQ(study("--zone off --z-scale 2").exit_code, 0);
+  const Rows rows = table();
+  ASSERT_EQ(rows.size(), 4U);
+  const auto number = [&](std::size_t row, const char* name) {
+    const auto column = std::ranges::find(rows[0], name) - rows[0].begin();
+    return std::stod(rows[row].at(static_cast<std::size_t>(column)));
+  };
+  EXPECT_LT(number(2, "nearest_m"), number(3, "nearest_m") - 50);
+  EXPECT_EQ(number(1, "nearest_m"), number(2, "nearest_m"));
+  EXPECT_EQ(number(1, "farthest_m"), number(3, "farthest_m"));
+  EXPECT_EQ(number(1, "pixels"), number(2, "pixels") + number(3, "pixels"));
+  EXPECT_NEAR(number(1, "solid_angle_sr"),
+              number(2, "solid_angle_sr") + number(3, "solid_angle_sr"), 1e-9);
+  for (const char* end : {"nearest_height_m", "farthest_height_m"})
+    for (const std::size_t row : {1U, 2U, 3U}) {
+      EXPECT_GT(number(row, end), 300);
+      EXPECT_LE(number(row, end), 330.001);
+    }
+}
+
+TEST_F(Impact, ShowsNoBuildingBeforeWhereNoneStands) {
+  const auto parsed =
+      parse_impact(words("plain.asc --buildings new.geojson --viewpoints points.geojson -o out "
+                         "--building-color 200,0,0 --default-height 9 --fov 50"));
+  const OptionValues before = parsed.values_before();
+  for (const char* of_buildings : {"buildings", "building-color", "default-height"}) {
+    EXPECT_EQ(before.count(of_buildings), 0U) << of_buildings;
+    EXPECT_EQ(parsed.values_after().count(of_buildings), 1U) << of_buildings;
+  }
+  EXPECT_EQ(before.at("fov"), Names{"50"});
+}
+
+// Here only its scene file cannot be written.
+TEST_F(Impact, OfAViewpointThatFailsAfterAllHasNoNumbers) {
+  const std::string name = "new\xff.geojson";
+  std::filesystem::copy_file(path("new.geojson"), path(name));
+  const Finished done =
+      run(words("impact plain.asc -q --viewpoints points.geojson --size 96x64 "
+                "--zone off -o out --buildings " +
+                name));
+  EXPECT_EQ(done.exit_code, 3);
+  EXPECT_TRUE(says(done.err, {"scene file: a name in it is not UTF-8: rename the file"}));
+  const Rows rows = table();
+  ASSERT_EQ(rows.size(), 4U);
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i][4], "") << "seen";
+  EXPECT_TRUE(says(bytes("out/report.html"), {"is seen from 0 of 0 viewpoints; 3 have no view."}));
 }
 
 TEST_F(Impact, InterruptedLeavesNothing) {

@@ -3,7 +3,6 @@
 #include <map>
 #include <random>
 #include <regex>
-#include <sstream>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -27,25 +26,11 @@ using Numbers = std::map<std::string, double>;  // by column; what is empty is n
 using Table = std::map<std::pair<int, int>, Numbers>;
 
 Table read_table(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  const auto cells = [](const std::string& from) {
-    std::vector<std::string> found(1);
-    bool quoted = false;
-    for (const char c : from) {
-      if (c == '"') quoted = !quoted;
-      if (c == ',' && !quoted)
-        found.emplace_back();
-      else
-        found.back() += c;
-    }
-    return found;
-  };
-  const std::vector<std::string> names = cells(line);
+  const Rows rows = csv_rows(text);
+  const std::vector<std::string>& names = rows.front();
   Table table;
-  while (std::getline(lines, line)) {
-    const std::vector<std::string> values = cells(line);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const std::vector<std::string>& values = rows[row];
     Numbers numbers;
     for (std::size_t i = 4; i + 1 < names.size(); ++i)
       if (!values[i].empty()) numbers[names[i]] = std::stod(values[i]);

@@ -14,13 +14,14 @@ namespace {
 class Projects : public SmallView {
  protected:
   // A building 20 m high; `rings` are GeoJSON.
-  Project project(const std::string& rings) const {
+  Project project(const std::string& rings, double z_scale = 1) const {
     write_text(path("p.geojson"), R"({"type":"Feature","properties":{"height":20},"geometry":)"
                                   R"({"type":"Polygon","coordinates":)" +
                                       rings + "}}");
     ViewOptions options;
     options.dems = {path("plain.asc")};
     options.objects.buildings = {path("p.geojson")};
+    options.z_scale = z_scale;
     SharedInputs inputs;
     return read_project(options, 1, read_dems(options.dems), inputs);
   }
@@ -38,6 +39,12 @@ TEST_F(Projects, HaveTheCornersAndTheMiddleOfARoof) {
   EXPECT_TRUE(has(found, {140, 120}));
   EXPECT_TRUE(has(found, {120, 110}));
   for (const EyePlace& point : found.roof_points) EXPECT_NEAR(point.height_m, 320, 1e-6);
+}
+
+// The ground at 600 m of the scene, and 20 m of building that no scale makes higher.
+TEST_F(Projects, HaveTheirRoofsInHeightsOfTheDemHoweverItIsExaggerated) {
+  const Project found = project("[[[100,100],[140,100],[140,120],[100,120],[100,100]]]", 2);
+  for (const EyePlace& point : found.roof_points) EXPECT_NEAR(point.height_m, 310, 1e-6);
 }
 
 TEST_F(Projects, ThatAreBentHaveTheirMiddleOnTheRoof) {

@@ -29,6 +29,12 @@ TEST(HostileScene, ComplaintsNameTheLineAndThePlace) {
   expect_scene_refused("\xEF\xBB\xBF{\n\"solid\":\n[]}", "s.json:3: /solid: 'solid': nothing");
 }
 
+// Not that of a key called alike in another object.
+TEST(HostileScene, ComplaintsNameTheLineOfTheirOwnPlace) {
+  expect_scene_refused("{\"materials\": {\n\"kind\": {\n\"kind\": {}}},\n\"kind\": 1}",
+                       "s.json:4: /kind: 'kind': nothing is called so here");
+}
+
 TEST(HostileScene, WrongNamesGetTheNearestRightOne) {
   expect_scene_refused(
       scene_of_solid(R"("kind": "shpere", "radius": 1)"),
@@ -121,6 +127,19 @@ TEST(HostileScene, CountsAreBounded) {
   expect_scene_refused(std::string((16 << 20) + 1, ' '), "is longer than 16 MiB");
 }
 
+// A texture is made for each solid anew, and once for all the parts of one.
+TEST(HostileScene, ShadesCountForEachSolidThatHasThem) {
+  const std::string materials = R"("materials": {"a": {"color": {"kind": "add", "of": [)" +
+                                repeated("1", 480) + R"(, {"kind": "marble"}]}}})";
+  const std::string part = "{" + kBall + R"(, "material": "a"})";
+  const std::string one =
+      R"({"at-xy": [0, 0], "kind": "union", "of": [)" + repeated(part, 3000) + "]}";
+  EXPECT_EQ(refusal_of_scene("{" + materials + ", \"solids\": [" + one + "]}"), "");
+  const std::string alone = "{\"at-xy\": [0, 0], " + kBall + R"(, "material": "a"})";
+  expect_scene_refused("{" + materials + ", \"solids\": [" + repeated(alone, 3000) + "]}",
+                       "more than 2000000 shades");
+}
+
 TEST(HostileScene, NamedShapesCountWhetherTheyAreSeenOrNot) {
   std::string shapes =
       R"("a": {"kind": "union", "of": [)" + repeated("{" + kBall + "}", 10'000) + "]}";
@@ -164,6 +183,9 @@ TEST(HostileScene, NumbersAreFiniteAndOfAUsefulSize) {
     expect_scene_refused(ball(bad), "no JSON");
   for (const char* bad : {"1e308", "-1e308", "0", "\"5\"", "null", "true", "[5]", "{}"})
     expect_scene_refused(ball(bad), "/solids/0/radius: give metres above 0");
+  for (const char* bad : {"2.5", "0", "1001", "\"7\""})
+    expect_scene_refused(scene_of_solid(kBall + R"(, "rings": )" + bad),
+                         "/solids/0/rings: give a whole number from 1 to 1000");
   expect_scene_refused(ball("1e-300"), "is smaller than a thousandth of a millimetre");
   expect_scene_refused(scene_of_solid(R"("kind": "box", "size": [1, 1, 5e-324])"), "/solids/0: ");
   expect_scene_refused(scene_of_solid(kBall + R"(, "scale": [1, 1, 0])"), "factors above 0");

@@ -1,6 +1,7 @@
 // Solids stand where the scene file says: cli/scene/place_scene.h.
 #include "cli/scene/place_scene.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -85,6 +86,69 @@ TEST_F(PlacedScene, HeightsAreTheDemsOrAboveItsGroundHoweverItIsExaggerated) {
   EXPECT_NEAR(3 * top_m(*above, frame, middle), scene_ground_m + 42, 1e-3);
   const auto absolute = placed(tower + R"("at": [48.005, 7.008, 800])", frame);
   EXPECT_NEAR(3 * top_m(*absolute, frame, middle), 3 * 800 + 30, 1e-3);
+}
+
+// Where what is level slopes by half a degree in the view frame, and north is not the eye's.
+EyePlace far_eye() { return {GeoPoint{47.6, 6.3}, std::nullopt, 5000, false}; }
+
+TEST_F(PlacedScene, StandsUprightFarAwayOnTheRoundEarth) {
+  const std::vector<Dem> dems = hills();
+  const ViewFrame frame = frame_of(dems, far_eye());
+  const auto objects =
+      placed(R"("kind": "box", "size": [400, 400, 25], "at": [48.005, 7.008, 700])", frame);
+  const glm::dvec2 middle = frame.to_ground(kPlace);
+  ASSERT_GT(glm::length(middle), 60'000);
+  for (const glm::dvec2 off_m : {glm::dvec2(0), glm::dvec2(180, 0), glm::dvec2(0, -180)})
+    EXPECT_NEAR(top_m(*objects, frame, middle + off_m), 725, 0.01);
+}
+
+TEST_F(PlacedScene, SpotsFarAwayAimByTheirOwnNorthAndLevel) {
+  const std::vector<Dem> dems = hills();
+  const ViewFrame frame = frame_of(dems, far_eye());
+  const SceneFile file = parse_json_scene(
+      R"({"lamps": [{"at": [48.005, 7.008, 800], "spot": {"direction": [0, 1, 0]}}]})", "s.json");
+  Scene scene;
+  place_light(*file.contents, frame, scene);
+  const glm::dvec2 north_m = frame.to_ground({kPlace.latitude_deg + 1e-4, kPlace.longitude_deg});
+  const glm::dvec3 ahead_m(north_m, frame.terrain()->frame().at(north_m).z_m(800));
+  const Lamp& lamp = scene.lamps.front();
+  EXPECT_NEAR(glm::distance(glm::normalize(lamp.spot->direction),
+                            glm::normalize(ahead_m - lamp.position_m)),
+              0, 1e-5);
+}
+
+// In the middle of a DEM around the North Pole, every way is south.
+TEST_F(PlacedScene, StandsOnThePole) {
+  Dem ice;
+  ice.name = "ice";
+  ice.grid = std::make_shared<const HeightGrid>(HeightGrid{3, 3, std::vector<float>(9, 50)});
+  ice.placement = {{-1000, 1000}, glm::dmat2(1000, 0, 0, -1000)};
+  ice.crs_wkt = "EPSG:3413";
+  const ViewFrame frame = frame_of({ice}, {GeoPoint{89.998, 0}, std::nullopt, 90, false});
+  const auto objects =
+      placed(R"("kind": "cylinder", "radius": 9, "height": 7, "at": [90, 0])", frame);
+  EXPECT_NEAR(top_m(*objects, frame, frame.to_ground({90, 0})), 57, 1e-3);
+}
+
+TEST_F(PlacedScene, TexturesStandWithTheirSolids) {
+  const std::vector<Dem> dems = hills();
+  const ViewFrame frame = frame_of(dems, eye());
+  const SceneFile scene = parse_json_scene(
+      R"({"materials": {"a": {"diffuse": {"kind": "checker", "squares": [1, 1], "scale": 10}}},
+          "solids": [{"at": [48.005, 7.008, 700], "kind": "sphere", "radius": 9, "material": "a"},
+                     {"at": [48.001, 7.002, 710], "kind": "sphere", "radius": 9, "material": "a"}]})",
+      "s.json");
+  PlacedObjects objects;
+  place_solids(*scene.contents, frame, objects);
+  const std::array<GeoPoint, 2> places{kPlace, {48.001, 7.002}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Material& material = *objects.looks[i].materials.front();
+    const glm::dvec2 middle = frame.to_ground(places[i]);
+    for (const glm::dvec2 off_m : {glm::dvec2(3, 4), glm::dvec2(-3, 4), glm::dvec2(-5, -2)}) {
+      const double expected = off_m.x * off_m.y < 0 ? 1 : 0;
+      EXPECT_EQ(material.diffuse->at({.position_m = {middle + off_m, 0}}), expected) << i;
+    }
+  }
 }
 
 TEST_F(PlacedScene, MapCoordinatesAreThoseOfTheFirstDem) {

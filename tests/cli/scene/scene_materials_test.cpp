@@ -1,12 +1,15 @@
 // Materials and shade trees of scene files: docs/scenes.md.
 #include "cli/scene/scene_materials.h"
 
+#include <cmath>
 #include <filesystem>
+#include <map>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "render/color_ramp.h"
+#include "render/materials/texture.h"
 #include "tests/cli/scene/scene_cases.h"
 #include "tests/cli/small_picture.h"
 
@@ -87,6 +90,34 @@ TEST(SceneMaterials, TexturesAreMovedAndScaledInTheSolid) {
   EXPECT_GT(glm::distance(color_at(marble, {0.3, 0.4, 0.5}), color_at(moved, {0.3, 0.4, 0.5})), 0);
 }
 
+TEST(SceneMaterials, TexturesAreThoseOfTheirKindWithTheirParameters) {
+  const glm::dvec3 place(0.3, 0.4, 0.45);
+  const FieldOptions field{.seed = 3, .levels = {5, 5}, .h = {0.2}};
+  const std::string members = R"(", "seed": 3, "levels": 5, "smoothness": 0.2})";
+  const glm::dmat4 same(1);
+  const ShadingPoint there{.position_m = place};
+  EXPECT_EQ(material(R"({"diffuse": {"kind": "field)" + members + "}").diffuse->at(there),
+            solid_field(field, same)->at(there));
+  expect_color(color_at(R"({"kind": "marble)" + members, place), marble(field, same)->at(there));
+  expect_color(color_at(R"({"kind": "wood)" + members, place), wood(field, same)->at(there));
+  EXPECT_NE(marble(field, same)->at(there), wood(field, same)->at(there));
+}
+
+TEST(SceneMaterials, TexturesAreMappedAsTheySay) {
+  for (const auto& [word, mapping] :
+       std::map<std::string, Mapping>{{"planar", Mapping::planar},
+                                      {"cylindrical", Mapping::cylindrical},
+                                      {"spherical", Mapping::spherical}}) {
+    const Material made = material(
+        R"({"diffuse": {"kind": "checker", "squares": [5, 7], "mapping": ")" + word + R"("}})");
+    const ScalarShade expected = checker({5, 7}, {.mapping = mapping});
+    for (int i = 0; i < 50; ++i) {
+      const ShadingPoint point{.position_m = {std::cos(i), std::sin(1.7 * i), std::sin(i)}};
+      EXPECT_EQ(made.diffuse->at(point), expected->at(point)) << word << ' ' << i;
+    }
+  }
+}
+
 class PictureOfScene : public SmallPicture {
  protected:
   static std::string scene_with_picture(const std::string& file) {
@@ -102,6 +133,14 @@ TEST_F(PictureOfScene, LiesOnTheUnitSquareAndIsFoundBesideTheScene) {
   expect_color(color_at(shade, {0.7, 0.5, 0}, path("s.json")), {1, 0, 0});
   expect_color(color_at(shade, {1.2, 0.5, 0}, path("s.json")), {0, 0, 0});
   EXPECT_THROW(static_cast<void>(color_at(shade, {}, "s.json")), InputError);
+}
+
+TEST_F(PictureOfScene, IsBlackInItsHoles) {
+  write_picture("hole.png", "PNG", 4, GDT_Byte,
+                [](int x, int, int band) { return band == 3 && 2 * x >= kWidth_px ? 0 : 255; });
+  const std::string shade = R"({"kind": "picture", "file": "hole.png"})";
+  expect_color(color_at(shade, {0.2, 0.5, 0}, path("s.json")), {1, 1, 1});
+  expect_color(color_at(shade, {0.7, 0.5, 0}, path("s.json")), {0, 0, 0});
 }
 
 TEST_F(PictureOfScene, IsAFileAndNothingElseThatGdalKnows) {

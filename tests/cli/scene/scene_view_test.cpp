@@ -1,6 +1,7 @@
 // `terrview SCENE.json` and --print-scene.
 #include <filesystem>
 
+#include "tests/cli/small_picture.h"
 #include "tests/cli/small_view.h"
 
 namespace terrview {
@@ -80,7 +81,10 @@ TEST_F(SceneView, SolidsAreObjectsInLayersAndTables) {
   const Finished finished = run(words("s.json --layers l.tif --objects-csv o.csv -q"));
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
   EXPECT_EQ(outputs(), (std::vector<std::string>{"l.tif", "o.csv", "s.json", "s.png"}));
-  EXPECT_NE(bytes("o.csv").find("solid"), std::string::npos);
+  const Rows rows = csv_rows(bytes("o.csv"));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1][1], "solid");
+  EXPECT_NEAR(std::stod(rows[1][4]), 200, 0.1);
   const Layers seen = layers("l.tif");
   EXPECT_EQ(seen.at("object_id", 20, 14), 1);
 }
@@ -103,6 +107,13 @@ TEST_F(SceneView, ASceneNeedsNoGround) {
                                           {"--drape x.tif", "there is no ground"},
                                           {"--look-at 48,7", "there is no ground"}})
     expect_refused(run(words("s.json -q --overwrite -o x.png " + options)), {why});
+}
+
+TEST_F(SceneView, ItsBackgroundTakesTheSkysPlace) {
+  write("s.json", R"({"dems": ["plain.asc"], "light": {"background": [10, 200, 90]},
+    "options": {"eye-xy": [400, 100, 380], "heading": 0, "size": "8x8", "clouds": 1}})");
+  ASSERT_EQ(run(words("s.json -q -o s.png")).exit_code, 0);
+  EXPECT_EQ(read_picture(path("s.png")).colors.front(), glm::ivec4(10, 200, 90, 255));
 }
 
 TEST_F(SceneView, AFileOfThatNameAfterViewIsADem) {
@@ -147,6 +158,9 @@ TEST_F(SceneView, PlacesWithoutGroundAreRefusedByName) {
   write("s.json", R"({"dems": ["hills.tif"], "options": {"eye": [47.985, 6.99, 900], "size": "8x8"},
     "solids": [{"kind": "sphere", "radius": 2, "at": [40, 7, "+1"]}]})");
   expect_refused(run(words("s.json -q")), {"s.json: /solids/0: there is no ground at its place"});
+  write("t.json", R"({"dems": ["hills.tif"], "options": {"eye": [47.985, 6.99, 900], "size": "8x8"},
+    "solids": [{"kind": "sphere", "radius": 2, "at-xy": [7, 1000, 3]}]})");
+  expect_refused(run(words("t.json -q")), {"t.json: /solids/0: its place is nowhere on the Earth"});
 }
 
 }  // namespace

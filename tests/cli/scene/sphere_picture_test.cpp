@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "cli/scene/sphere_scene_json.h"
 #include "tests/cli/small_picture.h"
 
 namespace terrview {
@@ -99,6 +100,21 @@ TEST_F(SpherePicture, TrianglesLieWithinThePerfectSphere) {
   }
 }
 
+TEST(SphereSceneJson, LeavesTheAmbientLightNothingWhereTheOthersTakeMoreThanAll) {
+  SphereScene scene;
+  scene.window_size = {10, 10};
+  SphereScene::Sphere sphere{};
+  sphere.mirror = 0.5;
+  sphere.diffuse = 0.25;
+  sphere.specular = 0.125;
+  scene.spheres.push_back(sphere);
+  sphere.specular = 0.5;
+  scene.spheres.push_back(sphere);
+  const SceneJson json = sphere_scene_json(scene);
+  EXPECT_EQ(json["solids"][0]["material"]["ambient"], 0.125);
+  EXPECT_EQ(json["solids"][1]["material"]["ambient"], 0);
+}
+
 // The big sphere alone is green.
 TEST_F(SpherePicture, TheShadowIsThatOfTheFacets) {
   const std::string facets = sample("facet-shadow.xml");
@@ -146,6 +162,8 @@ TEST_F(SpherePicture, PpmIsTheDefaultAndAnyFormatWillDo) {
   EXPECT_EQ(bytes("s.ppm").substr(0, 2), "P6");
   EXPECT_EQ(run(words("s.xml -q --size 20x20 -o s.png")).exit_code, 0);
   EXPECT_EQ(bytes("s.png").substr(1, 3), "PNG");
+  EXPECT_EQ(run(words("s.xml -q --size 20x20 --of JPEG")).exit_code, 0);
+  EXPECT_EQ(bytes("s.jpeg").substr(0, 2), "\xff\xd8");
 }
 
 }  // namespace

@@ -113,6 +113,16 @@ TEST(Phong, HasALobeOfTheCosineToTheMirroredLight) {
   }
 }
 
+TEST(Phong, HasTheExponentFiftyWhereNoneIsNamed) {
+  Material material = glossy(LightModel::whitted);
+  material.exponent = nullptr;
+  Scene scene = studio({{floor_block(), {shared(material)}}});
+  scene.lamps = {{.position_m = {0, 0, 10}, .reference_m = 0}};
+  const glm::dvec3 to_eye(std::sin(10 * kRadians), 0, std::cos(10 * kRadians));
+  expect_color(color_along(scene, {100.0 * to_eye, -to_eye}),
+               glm::vec3(static_cast<float>(0.4 * std::pow(to_eye.z, 50))));
+}
+
 TEST(Phong, LeavesTheAmbientLightWhatMirrorDiffuseAndSpecularDoNotTake) {
   Scene scene = studio(
       {{floor_block(),
@@ -293,6 +303,15 @@ TEST(Bump, TiltsTheNormalAgainstTheSlope) {
   }
 }
 
+// Beside the kink of |x|, a quarter of a pixel from it: (|0.75| - |-0.25|) / 1.
+TEST(Bump, IsTheSlopeOverAPixelsWidth) {
+  const ScalarShade ridge =
+      shade_node<double>([](const ShadingPoint& point) { return std::abs(point.position_m.x); });
+  const ShadingPoint point{.position_m = {0.25, 0, 0}, .width_m = 1};
+  const glm::dvec3 normal = bumped_normal(ridge, point, {0, 0, 1});
+  EXPECT_LT(glm::distance(normal, glm::normalize(glm::dvec3(-0.5, 0, 1))), 1e-9);
+}
+
 TEST(Bump, TurnsWithWhatItIsOn) {
   const glm::dvec3 gradient(0.3, -0.2, 0.1);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2, 0.4, 1));
@@ -308,6 +327,21 @@ TEST(Bump, TurnsWithWhatItIsOn) {
     const glm::dvec3 bumped = bumped_normal(linear(turned(gradient)), there, turned(normal));
     EXPECT_LT(glm::distance(bumped, turned(still)), 1e-9);
   }
+}
+
+// The normal (1, 0, 2) / sqrt 5 faces away from an eye so low in the west: what is nearest to it of
+// all that the eye can see lights the floor.
+TEST(Bump, IsSeenEdgeOnWhereItWouldFaceAway) {
+  Material material = matte();
+  material.bump_m = linear({-0.5, 0, 0});
+  Scene scene = studio({{floor_block(), {shared(material)}}});
+  scene.lamps = {{.position_m = {0, 0, 10}, .reference_m = 0}};
+  const glm::dvec3 to_eye = glm::normalize(glm::dvec3(-60, 0, 3));
+  const glm::dvec3 away = glm::normalize(glm::dvec3(1, 0, 2));
+  ASSERT_LT(glm::dot(away, to_eye), 0);
+  const glm::dvec3 edge_on = glm::normalize(away - glm::dot(away, to_eye) * to_eye);
+  expect_color(color_along(scene, {60.0 * to_eye, -to_eye}),
+               0.5F * static_cast<float>(edge_on.z) * kBody);
 }
 
 TEST(Bump, LightsAFloorAsTheSlopeItPretendsToBe) {

@@ -96,6 +96,15 @@ TEST(PictureTexture, HasNoSeam) {
   }
 }
 
+TEST(PictureTexture, EndsAtThePoles) {
+  const ColorShade around = picture_texture(small_picture(), {.mapping = Mapping::spherical});
+  const auto green_at = [&](const glm::dvec3& pole) {
+    return around->at({.position_m = pole, .normal = pole, .towards_eye = pole, .width_m = 1e-6}).g;
+  };
+  EXPECT_NEAR(green_at({0, 0, 1}), 0, 1e-4);
+  EXPECT_NEAR(green_at({0, 0, -1}), from_srgb8(0, 100, 0).g, 1e-4);
+}
+
 TEST(PictureTexture, IsItsMeanWhereAPixelCoversMuchOfIt) {
   Raster<glm::u8vec4> picture(64, 64);
   for (int row = 0; row < 64; ++row)
@@ -175,10 +184,13 @@ TEST(SolidTexture, OfWoodIsRingsBentByTheField) {
   const SolidField field(options);
   for (int i = 0; i < 30; ++i) {
     const glm::dvec3 at(0.4 * i, 0.3 * i, 5 * i);
-    const double bend = 0.8 * field.at(at / glm::dvec3(8, 8, 40)) / field.expected_deviation();
-    const double turns = (0.5 * i + bend) / 12;
-    const glm::vec3 expected = table.at(turns - std::floor(turns));
-    expect_near(trunk->at({.position_m = at}), expected, 0.02);
+    for (const double width_m : {0.0, 2.0}) {
+      const double bend =
+          0.8 * field.at(at / glm::dvec3(8, 8, 40), width_m / 8) / field.expected_deviation();
+      const double turns = (0.5 * i + bend) / 12;
+      const glm::vec3 expected = table.at(turns - std::floor(turns));
+      expect_near(trunk->at({.position_m = at, .width_m = width_m}), expected, 0.02);
+    }
   }
 }
 
