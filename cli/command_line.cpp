@@ -46,6 +46,11 @@ OptionDefinition definition_of(const CLI::Option& option) {
 
 }  // namespace
 
+CommandOption* CommandOption::description(const std::string& help) {
+  option_.description(help);
+  return this;
+}
+
 CommandOption* CommandOption::type_name(const std::string& name) {
   option_.type_name(name);
   return this;

@@ -28,6 +28,8 @@ class CommandOption {
  public:
   explicit CommandOption(CLI::Option& option) : option_(option) {}
 
+  // What --help says of it, if not what it was added with.
+  CommandOption* description(const std::string& help);
   // What --help calls its value.
   CommandOption* type_name(const std::string& name);
   CommandOption* required(bool is_required = true);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
 

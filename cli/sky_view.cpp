@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/command_line.h"
 #include "cli/parse.h"
 #include "render/painted_sky.h"
 #include "sky/sun.h"
