@@ -63,11 +63,10 @@ std::optional<BenchOptions> parse_bench_options(const std::vector<std::string>& 
       ->delimiter(',');
   line.add_option("--threads", options.threads, "numbers of threads (1 and all)")
       ->delimiter(',')
-      ->check(CLI::Range(1, 1024));
-  line.add_option("--repetitions", repetitions, "medians are of so many")
-      ->check(CLI::Range(1, 1000));
+      ->between(1, 1024);
+  line.add_option("--repetitions", repetitions, "medians are of so many")->between(1, 1000);
   line.add_option("--posts", posts, "a side of the synthetic grid; the city's is half of it")
-      ->check(CLI::Range(16, 16384));
+      ->between(16, 16384);
   line.add_option("--size", size, "WxH of the picture");
   try {
     line.parse_args(args);

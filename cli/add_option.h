@@ -7,22 +7,21 @@
 #include <string>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.h"
 #include "cli/parse.h"
 
 namespace terrview {
 
 // An option whose text goes through one of the functions of cli/parse.h.
-inline CLI::Option* add_parsed(CLI::App& app, const std::string& name,
-                               std::function<void(const std::string&)> parse,
-                               const std::string& help) {
+inline CommandOption* add_parsed(CommandLine& app, const std::string& name,
+                                 std::function<void(const std::string&)> parse,
+                                 const std::string& help) {
   return app.add_option_function<std::string>(name, std::move(parse), help);
 }
 
 // CLI11's own numbers may be nan, infinite or hexadecimal.
-inline CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value,
-                               const std::string& help) {
+inline CommandOption* add_number(CommandLine& app, const std::string& name,
+                                 std::optional<double>& value, const std::string& help) {
   return add_parsed(
              app, name,
              [&value, name](const std::string& text) { value = parse_number(name, text); }, help)
@@ -30,24 +29,24 @@ inline CLI::Option* add_number(CLI::App& app, const std::string& name, std::opti
 }
 
 template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
-                        const std::map<std::string, Value>& choices, const std::string& help) {
+CommandOption* add_choice(CommandLine& app, const std::string& name, Value& value,
+                          const std::map<std::string, Value>& choices, const std::string& help) {
   std::string names;
   for (const auto& [key, unused] : choices) names += (names.empty() ? "" : "|") + key;
   return app
       .add_option_function<std::string>(
           name, [&value, choices](const std::string& text) { value = choices.at(text); }, help)
-      ->check(CLI::IsMember(choices))
+      ->one_of(choices)
       ->type_name(names);
 }
 
 // on or off.
-inline CLI::Option* add_switch(CLI::App& app, const std::string& name, bool& value,
-                               const std::string& help) {
+inline CommandOption* add_switch(CommandLine& app, const std::string& name, bool& value,
+                                 const std::string& help) {
   return app
       .add_option_function<std::string>(
           name, [&value](const std::string& text) { value = text == "on"; }, help)
-      ->check(CLI::IsMember({"on", "off"}))
+      ->one_of({"on", "off"})
       ->type_name("on|off");
 }
 

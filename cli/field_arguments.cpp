@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/command_line.h"
 #include "cli/parse.h"
 #include "terrain/error.h"
 
@@ -86,7 +87,7 @@ std::uint64_t parse_seed(const std::string& option, const std::string& text) {
   return value;
 }
 
-void add_field_options(CLI::App& app, FieldOptions& options) {
+void add_field_options(CommandLine& app, FieldOptions& options) {
   app.add_option_function<std::string>(
          "--seed", [&](const std::string& text) { options.seed = parse_seed("--seed", text); },
          "Another number, another field (default 1)")
@@ -102,12 +103,12 @@ void add_field_options(CLI::App& app, FieldOptions& options) {
   app.add_option_function<std::string>(
          "--field", [&](const std::string& text) { options.kind = kKinds.at(text); },
          "How a cell is divided: the middles displaced, every vertex, or without creases")
-      ->check(CLI::IsMember(kKinds))
+      ->one_of(kKinds)
       ->type_name("midpoint|displaced|smooth");
   app.add_option_function<std::string>(
          "--law", [&](const std::string& text) { options.law = kLaws.at(text); },
          "The draws' law (default gaussian)")
-      ->check(CLI::IsMember(kLaws))
+      ->one_of(kLaws)
       ->type_name("gaussian|uniform|laplace|coin");
 }
 

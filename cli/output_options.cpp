@@ -3,12 +3,13 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
 
 namespace terrview {
 
-void add_format_options(CLI::App& app, std::string& format,
+void add_format_options(CommandLine& app, std::string& format,
                         std::map<std::string, std::string>& creation, const std::string& keys) {
   app.add_option("--of", format, "Output format, if not by extension")->type_name("FORMAT");
   app.add_option_function<std::vector<std::string>>(
@@ -36,7 +37,7 @@ std::string usual_extension(const std::string& format) {
 
 bool BarOptions::shown() const { return !quiet && (progress || stderr_is_terminal()); }
 
-void add_bar_options(CLI::App& app, bool& quiet, bool& progress) {
+void add_bar_options(CommandLine& app, bool& quiet, bool& progress) {
   app.add_flag("-q,--quiet", quiet, "No messages but errors");
   app.add_flag("--progress", progress, "A progress bar even where there is no terminal");
 }

@@ -4,12 +4,12 @@
 #include <map>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 namespace terrview {
 
+class CommandLine;
+
 // --of and --co; `keys` says what --co knows.
-void add_format_options(CLI::App& app, std::string& format,
+void add_format_options(CommandLine& app, std::string& format,
                         std::map<std::string, std::string>& creation, const std::string& keys);
 
 // Whether two paths, neither of them empty, name one file.
@@ -27,6 +27,6 @@ struct BarOptions {
 };
 
 // -q, --quiet and --progress.
-void add_bar_options(CLI::App& app, bool& quiet, bool& progress);
+void add_bar_options(CommandLine& app, bool& quiet, bool& progress);
 
 }  // namespace terrview

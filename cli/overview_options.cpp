@@ -35,7 +35,7 @@ double parse_side(const std::string& text) {
   return *side;
 }
 
-void add_block_options(CLI::App& app, OverviewOptions& options) {
+void add_block_options(CommandLine& app, OverviewOptions& options) {
   add_parsed(
       app, "--from", [&](const std::string& text) { options.from_deg = parse_side(text); },
       "The side that the block is seen from: s, wsw, ... or degrees (default s)")
@@ -58,10 +58,10 @@ void add_block_options(CLI::App& app, OverviewOptions& options) {
   app.add_flag("--plain", options.plain, "The block alone: no title, ticks, arrow and scale");
   app.add_option("--samples", options.view.sampling.samples,
                  "Rays a pixel (default: adaptive; of a map 1)")
-      ->check(CLI::Range(1, 1024));
+      ->between(1, 1024);
 }
 
-void add_map_options(CLI::App& app, OverviewOptions& options) {
+void add_map_options(CommandLine& app, OverviewOptions& options) {
   app.add_flag("--plan", options.plan, "A georeferenced map instead: shading, shadows, sky view");
   add_parsed(
       app, "--resolution",
@@ -91,19 +91,19 @@ void add_map_options(CLI::App& app, OverviewOptions& options) {
   size->excludes(sheets);
 }
 
-void add_file_options(CLI::App& app, ViewOptions& view) {
+void add_file_options(CommandLine& app, ViewOptions& view) {
   app.add_option("-o", view.output,
                  "Picture or map (default: the first DEM's name; of sheets NAME_{name}.tif)")
       ->type_name("FILE");
   add_format_options(app, view.format, view.creation, "GDAL's own of a map");
   app.add_flag("--overwrite", view.overwrite, "Replace existing outputs");
   app.add_option("--threads", view.threads, "Never changes the picture (default: all)")
-      ->check(CLI::Range(1, 256));
+      ->between(1, 256);
   add_bar_options(app, view.quiet, view.progress);
 }
 
 // Options that were given for the other kind of overview.
-void check_kind(const CLI::App& app, bool plan) {
+void check_kind(const CommandLine& app, bool plan) {
   constexpr std::array kOfBlocks{"--from",  "--tilt", "--size", "--ticks",
                                  "--title", "--font", "--plain"};
   const auto refuse = [&](const char* name, const std::string& how) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kAbout = "What can be seen of the ground from a point on the Earth";
 
-void add_print_scene(CLI::App& app, bool& prints_scene) {
+void add_print_scene(CommandLine& app, bool& prints_scene) {
   app.add_flag("--print-scene", prints_scene,
                "Write the view as a scene file to standard output instead");
 }

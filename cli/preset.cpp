@@ -43,12 +43,12 @@ void check_alone(const ViewOptions& options) {
 
 }  // namespace
 
-void add_preset_options(CLI::App& app, ViewOptions& options) {
+void add_preset_options(CommandLine& app, ViewOptions& options) {
   std::vector<std::string> names;
   for (const Preset& preset : kPresets) names.emplace_back(preset.name);
   app.add_option("--preset", options.preset,
                  "A picture on paper: its projection, field of view and size")
-      ->check(CLI::IsMember(names))
+      ->one_of(names)
       ->type_name("a1-planar|a3-50mm|baseline-90");
   add_number(app, "--dpi", options.dpi, "Pixels per inch, of a preset (default 300) and in files");
 }

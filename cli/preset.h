@@ -6,7 +6,7 @@
 namespace terrview {
 
 // --preset and --dpi.
-void add_preset_options(CLI::App& app, ViewOptions& options);
+void add_preset_options(CommandLine& app, ViewOptions& options);
 
 // Fills in the projection, the field of view and the size of the preset that `options` names, if
 // any. Throws InputError for a dpi that is none, and where these are given too.

@@ -25,7 +25,8 @@ bool has_leaves(const PaletteOptions& options) {
 
 }  // namespace
 
-void add_palette_options(CLI::App& app, const std::string& colors_name, PaletteOptions& options) {
+void add_palette_options(CommandLine& app, const std::string& colors_name,
+                         PaletteOptions& options) {
   app.add_option_function<std::string>(
          colors_name,
          [&options, colors_name](const std::string& text) {
@@ -43,7 +44,7 @@ void add_palette_options(CLI::App& app, const std::string& colors_name, PaletteO
       ->type_name("FILE");
 }
 
-void add_method_options(CLI::App& app, PaletteOptions& options) {
+void add_method_options(CommandLine& app, PaletteOptions& options) {
   add_choice<std::optional<PaletteMethod>>(app, "--method", options.method,
                                            {{"tree", PaletteMethod::tree},
                                             {"thesis", PaletteMethod::thesis},

@@ -7,11 +7,9 @@
 #include "quantize/quantizer.h"
 #include "quantize/rewriter.h"
 
-namespace CLI {
-class App;
-}
-
 namespace terrview {
+
+class CommandLine;
 
 struct PaletteOptions {
   std::optional<int> colors;  // entries of the palette, nodata's included
@@ -24,10 +22,10 @@ struct PaletteOptions {
 };
 
 // Adds `colors_name` (the option of that number), --dither, --use-palette and --save-palette.
-void add_palette_options(CLI::App& app, const std::string& colors_name, PaletteOptions& options);
+void add_palette_options(CommandLine& app, const std::string& colors_name, PaletteOptions& options);
 
 // Adds --method, --order and --match.
-void add_method_options(CLI::App& app, PaletteOptions& options);
+void add_method_options(CommandLine& app, PaletteOptions& options);
 
 // Whether a palette is asked for.
 [[nodiscard]] bool wants_palette(const PaletteOptions& options);

@@ -45,7 +45,7 @@ glm::dvec2 parse_pair(const std::string& option, const std::string& text) {
   return {numbers.front(), numbers.back()};
 }
 
-void add_flat_options(CLI::App& app, SkyCommand& options) {
+void add_flat_options(CommandLine& app, SkyCommand& options) {
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { options.flat.size_px = parse_size(text); },
          "Pixels (default 1280x720)")
@@ -66,26 +66,25 @@ void add_flat_options(CLI::App& app, SkyCommand& options) {
       ->type_name("X,Y");
 }
 
-void add_color_options(CLI::App& app, SkyCommand& options) {
-  app.add_option("--clouds", options.clouds, "0 blue to 1 grey (default 0.35)")
-      ->check(CLI::Range(0.0, 1.0));
+void add_color_options(CommandLine& app, SkyCommand& options) {
+  app.add_option("--clouds", options.clouds, "0 blue to 1 grey (default 0.35)")->between(0.0, 1.0);
   app.add_option("--ramp", options.ramp, "The colour table: of that name, or a JSON file")
       ->type_name("sky|sunset|wood|marble|FILE");
   app.add_option_function<double>(
          "--noise", [&](double noise) { options.noise = noise; },
          "White noise: the standard deviation, in table addresses")
-      ->check(CLI::Range(0.0, 1.0));
+      ->between(0.0, 1.0);
   app.add_option("--write-ramp", options.ramp_output, "The table as JSON")->type_name("FILE");
 }
 
-void add_output_options(CLI::App& app, SkyCommand& options) {
+void add_output_options(CommandLine& app, SkyCommand& options) {
   app.add_option("-o", options.output, "png, jpg, tif, exr, webp, ppm or pnm (sky.png)")
       ->type_name("FILE");
   add_format_options(app, options.file.format, options.file.creation,
                      "QUALITY, ZLEVEL or COMPRESS");
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs");
   app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
-      ->check(CLI::Range(1, 4096));
+      ->between(1, 4096);
   add_bar_options(app, options.bar.quiet, options.bar.progress);
 }
 

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/command_line.h"
 #include "cli/parse.h"
 #include "render/painted_sky.h"
 #include "sky/sun.h"
@@ -20,7 +21,8 @@ constexpr double kRadians = std::numbers::pi / 180;
 // The Earth's curvature less that of light, for the geodetic coefficient of refraction 0.13.
 constexpr double kCurvature_per_m = (1 - 0.13) / 6.371e6;
 
-void add_angle(CLI::App& app, const std::string& name, double& value_rad, const std::string& help) {
+void add_angle(CommandLine& app, const std::string& name, double& value_rad,
+               const std::string& help) {
   app.add_option_function<std::string>(
          name,
          [&value_rad, name](const std::string& text) {
@@ -30,7 +32,7 @@ void add_angle(CLI::App& app, const std::string& name, double& value_rad, const 
       ->type_name("DEGREES");
 }
 
-void add_camera_options(CLI::App& app, SkyView& view, bool& flat) {
+void add_camera_options(CommandLine& app, SkyView& view, bool& flat) {
   static const std::map<std::string, Projection> kProjections{
       {"perspective", Projection::perspective}, {"cylindrical", Projection::cylindrical}};
   view.camera.pitch_rad = 20 * kRadians;
@@ -43,7 +45,7 @@ void add_camera_options(CLI::App& app, SkyView& view, bool& flat) {
            if (view.camera.projection == Projection::cylindrical) view.camera.pitch_rad = 0;
          },
          "flat (default), or as a camera sees it")
-      ->check(CLI::IsMember({"flat", "perspective", "cylindrical"}))
+      ->one_of({"flat", "perspective", "cylindrical"})
       ->type_name("flat|perspective|cylindrical");
   add_angle(app, "--heading", view.camera.heading_rad, "Clockwise from north (default 0)");
   add_angle(app, "--pitch", view.camera.pitch_rad, "Up (default 20)");
@@ -51,11 +53,11 @@ void add_camera_options(CLI::App& app, SkyView& view, bool& flat) {
   add_angle(app, "--fov", view.camera.fov_rad, "Horizontal field of view (default 60)");
 }
 
-void add_layer_options(CLI::App& app, SkyView& view) {
+void add_layer_options(CommandLine& app, SkyView& view) {
   app.add_option("--altitude", view.layer.height_m, "Metres from the eye up to the clouds (2500)")
-      ->check(CLI::Range(10.0, 20000.0));
+      ->between(10.0, 20000.0);
   app.add_option("--cell", view.layer.cell_m, "Metres: the side of a root cell (8000)")
-      ->check(CLI::Range(100.0, 100000.0));
+      ->between(100.0, 100000.0);
   view.layer.curvature_per_m = kCurvature_per_m;
   app.add_option_function<std::string>(
          "--layer",
@@ -63,11 +65,11 @@ void add_layer_options(CLI::App& app, SkyView& view) {
            view.layer.curvature_per_m = text == "shell" ? kCurvature_per_m : 0;
          },
          "A shell that follows the Earth (default), or a plane")
-      ->check(CLI::IsMember({"shell", "plane"}))
+      ->one_of({"shell", "plane"})
       ->type_name("shell|plane");
 }
 
-void add_light_options(CLI::App& app, SkyView& view) {
+void add_light_options(CommandLine& app, SkyView& view) {
   app.add_option_function<std::string>(
          "--sun",
          [&](const std::string& text) {
@@ -85,17 +87,17 @@ void add_light_options(CLI::App& app, SkyView& view) {
            view.sky.clear.model = text == "gradient" ? SkyModel::gradient : SkyModel::preetham;
          },
          "The sky behind the clouds: daylight (default), or a plain gradient")
-      ->check(CLI::IsMember({"preetham", "gradient"}))
+      ->one_of({"preetham", "gradient"})
       ->type_name("preetham|gradient");
   app.add_option("--turbidity", view.sky.clear.turbidity, "2 very clear to 6 hazy (default 2.5)")
-      ->check(CLI::Range(2.0, 6.0));
+      ->between(2.0, 6.0);
   app.add_option("--leaf", view.sky.leaf_px, "Pixels under which a cell is not divided (default 1)")
-      ->check(CLI::Range(0.05, 64.0));
+      ->between(0.05, 64.0);
 }
 
 }  // namespace
 
-void add_sky_view_options(CLI::App& app, SkyView& view, bool& flat) {
+void add_sky_view_options(CommandLine& app, SkyView& view, bool& flat) {
   add_camera_options(app, view, flat);
   add_layer_options(app, view);
   add_light_options(app, view);

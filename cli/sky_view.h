@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/progress.h"
@@ -12,6 +11,8 @@
 #include "sky/sky_painter.h"
 
 namespace terrview {
+
+class CommandLine;
 
 struct SkyView {
   CameraOptions camera;
@@ -23,7 +24,7 @@ struct SkyView {
 
 // --projection, --heading, --pitch, --roll, --fov, --sun and what else only a sky in perspective
 // has. `flat` becomes false with a --projection.
-void add_sky_view_options(CLI::App& app, SkyView& view, bool& flat);
+void add_sky_view_options(CommandLine& app, SkyView& view, bool& flat);
 
 // The whole sky of a camera; the same bytes for any number of threads.
 [[nodiscard]] Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads,

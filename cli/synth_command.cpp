@@ -43,7 +43,7 @@ struct SynthCommand {
   int threads = 0;
 };
 
-void add_grid_options(CLI::App& app, SynthCommand& options) {
+void add_grid_options(CommandLine& app, SynthCommand& options) {
   app.add_option_function<std::string>(
          "--size", [&](const std::string& text) { options.size = parse_size(text); },
          "Posts (default 1025x1025)")
@@ -83,16 +83,16 @@ void add_grid_options(CLI::App& app, SynthCommand& options) {
       ->type_name("CRS");
 }
 
-void add_relief_options(CLI::App& app, SynthCommand& options) {
+void add_relief_options(CommandLine& app, SynthCommand& options) {
   app.add_option_function<std::string>(
          "--relief", [&](const std::string& text) { options.relief = text; },
          "The field itself (default), with crests where it is 0, or cut by rivers")
-      ->check(CLI::IsMember(kReliefs))
+      ->one_of(kReliefs)
       ->type_name("plain|ridged|eroded");
   app.add_option("--height", options.height_m, "The field's standard deviation, metres (300)")
-      ->check(CLI::Range(0.0, 20000.0));
+      ->between(0.0, 20000.0);
   app.add_option("--base", options.base_m, "The height of the field's mean, metres (800)")
-      ->check(CLI::Range(-20000.0, 20000.0));
+      ->between(-20000.0, 20000.0);
 }
 
 SynthCommand parse_synth(const std::vector<std::string>& args) {
@@ -108,7 +108,7 @@ SynthCommand parse_synth(const std::vector<std::string>& args) {
   add_format_options(app, options.file.format, options.file.creation, heights_creation_keys());
   app.add_flag("--overwrite", options.overwrite, "Replace an existing output");
   app.add_option("--threads", options.threads, "Never changes the grid (default: all)")
-      ->check(CLI::Range(1, 4096));
+      ->between(1, 4096);
   add_bar_options(app, options.bar.quiet, options.bar.progress);
   app.parse_args(args);
   if (std::min(options.size.x, options.size.y) < 2 ||

@@ -15,7 +15,7 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr const char* kNatural = "natural";
 
-void add_natural_options(CLI::App& app, NaturalOptions& natural) {
+void add_natural_options(CommandLine& app, NaturalOptions& natural) {
   add_number(app, "--snow-line", natural.snow_line_m,
              "Of natural colours: metres above which level ground is white (default 2800)")
       ->type_name("M");
@@ -45,7 +45,7 @@ std::vector<Dem> dem_of_each_layer(const Terrain& terrain, const std::vector<Dem
 
 }  // namespace
 
-void add_ground_color_options(CLI::App& app, ViewOptions& options) {
+void add_ground_color_options(CommandLine& app, ViewOptions& options) {
   app.add_option("--colors", options.colors,
                  "Colours by altitude: gdaldem color-relief text or a QGIS colour map, or their "
                  "name; natural: by slope and altitude")

@@ -9,7 +9,7 @@
 
 namespace terrview {
 
-void add_ground_color_options(CLI::App& app, ViewOptions& options);
+void add_ground_color_options(CommandLine& app, ViewOptions& options);
 
 // Throws InputError for options that need others.
 void check_ground_colors(const ViewOptions& options);

@@ -148,7 +148,7 @@ int font_size(const LabelOptions& options, const Camera& camera) {
 
 }  // namespace
 
-void add_label_options(CLI::App& app, LabelOptions& options) {
+void add_label_options(CommandLine& app, LabelOptions& options) {
   app.add_option("--peaks", options.peaks,
                  "Summits whose names to write where they are seen: GeoJSON, CSV or whatever OGR "
                  "opens")
@@ -157,7 +157,7 @@ void add_label_options(CLI::App& app, LabelOptions& options) {
       ->type_name("FILE");
   app.add_option("--label-size", options.size_px,
                  "Pixels, of the letters (default: a 45th of the picture's height, 13 at least)")
-      ->check(CLI::Range(6, 500))
+      ->between(6, 500)
       ->type_name("PX");
   app.add_option("--font", options.font, "TrueType or OpenType file (default: DejaVu Sans)")
       ->type_name("FILE");

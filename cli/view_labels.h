@@ -12,7 +12,7 @@
 
 namespace terrview {
 
-void add_label_options(CLI::App& app, LabelOptions& options);
+void add_label_options(CommandLine& app, LabelOptions& options);
 
 // Throws InputError for options that need others.
 void check_labels(const LabelOptions& options);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 
-void add_sun_options(CLI::App& app, LightOptions& light) {
+void add_sun_options(CommandLine& app, LightOptions& light) {
   auto* sun = add_parsed(
                   app, "--sun",
                   [&light](const std::string& text) {
@@ -33,11 +33,11 @@ void add_sun_options(CLI::App& app, LightOptions& light) {
                        "relief: a map's light, from the north-west, without cast shadows");
   app.add_option("--sky-view", light.sky_azimuths,
                  "The sky lights valleys less: horizons in so many azimuths (default: evenly)")
-      ->check(CLI::Range(8, 128));
+      ->between(8, 128);
   time->excludes(sun)->excludes(shade);
 }
 
-void add_color(CLI::App& app, const std::string& name, std::optional<glm::vec3>& color,
+void add_color(CommandLine& app, const std::string& name, std::optional<glm::vec3>& color,
                const std::string& help) {
   add_parsed(
       app, name, [&color, name](const std::string& text) { color = parse_color(name, text); }, help)
@@ -46,7 +46,7 @@ void add_color(CLI::App& app, const std::string& name, std::optional<glm::vec3>&
 
 }  // namespace
 
-void add_air_options(CLI::App& app, AirOptions& air) {
+void add_air_options(CommandLine& app, AirOptions& air) {
   auto* visibility = add_parsed(
                          app, "--visibility",
                          [&air](const std::string& text) {
@@ -67,10 +67,10 @@ void add_air_options(CLI::App& app, AirOptions& air) {
       ->type_name("S");
 }
 
-void add_sampling_options(CLI::App& app, ViewOptions& options) {
+void add_sampling_options(CommandLine& app, ViewOptions& options) {
   auto* samples = app.add_option("--samples", options.sampling.samples,
                                  "Rays a pixel (1: through its centre; default: adaptive)")
-                      ->check(CLI::Range(1, 1024));
+                      ->between(1, 1024);
   auto* contrast =
       add_parsed(
           app, "--aa",
@@ -89,7 +89,7 @@ void add_sampling_options(CLI::App& app, ViewOptions& options) {
              "off: ground is not averaged where a pixel covers more than a post (default on)");
 }
 
-void add_light_options(CLI::App& app, ViewOptions& options) {
+void add_light_options(CommandLine& app, ViewOptions& options) {
   add_sun_options(app, options.light);
   add_choice<NormalKind>(app, "--normals", options.normals,
                          {{"smooth", NormalKind::smooth}, {"facet", NormalKind::facet}},

@@ -103,7 +103,7 @@ void parse_building_color(const std::string& text, ObjectOptions& options) {
 
 }  // namespace
 
-void add_object_options(CLI::App& app, ObjectOptions& options) {
+void add_object_options(CommandLine& app, ObjectOptions& options) {
   app.add_option("--buildings", options.buildings,
                  "Footprints to raise on the ground: GeoJSON or whatever OGR opens; may be given "
                  "several times")

@@ -12,7 +12,7 @@
 
 namespace terrview {
 
-void add_object_options(CLI::App& app, ObjectOptions& options);
+void add_object_options(CommandLine& app, ObjectOptions& options);
 
 // Throws InputError for options that need others. `has_solids`: those of a scene file.
 void check_objects(const ObjectOptions& options, bool has_solids);

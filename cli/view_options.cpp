@@ -14,7 +14,7 @@
 namespace terrview {
 namespace {
 
-void add_place_options(CLI::App& app, ViewOptions& options) {
+void add_place_options(CommandLine& app, ViewOptions& options) {
   auto* eye = add_parsed(
                   app, "--eye", [&](const std::string& text) { options.eye = parse_eye(text); },
                   "Where the eye is: degrees (WGS 84) and metres; +H is above the ground there")
@@ -45,7 +45,7 @@ void add_place_options(CLI::App& app, ViewOptions& options) {
       ->type_name("FILE");
 }
 
-void add_projection_options(CLI::App& app, ViewOptions& options) {
+void add_projection_options(CommandLine& app, ViewOptions& options) {
   add_number(app, "--fov", options.fov_deg, "Horizontal field of view, degrees (default 60)");
   add_parsed(
       app, "--size", [&](const std::string& text) { options.size_px = parse_size(text); },
@@ -61,7 +61,7 @@ void add_projection_options(CLI::App& app, ViewOptions& options) {
                                                         : Projection::orthographic;
          },
          "How the view falls on the picture (default perspective)")
-      ->check(CLI::IsMember({"perspective", "cylindrical", "orthographic", "plan"}))
+      ->one_of({"perspective", "cylindrical", "orthographic", "plan"})
       ->type_name("perspective|cylindrical|orthographic|plan");
   add_parsed(
       app, "--resolution",
@@ -83,7 +83,7 @@ void add_projection_options(CLI::App& app, ViewOptions& options) {
   add_preset_options(app, options);
 }
 
-void add_ground_options(CLI::App& app, ViewOptions& options) {
+void add_ground_options(CommandLine& app, ViewOptions& options) {
   add_number(app, "--z-scale", options.z_scale, "Multiply heights and an absolute ALT (default 1)");
   std::map<std::string, SurfaceModel> surfaces;
   for (const SurfaceModel model : kSurfaceModels) surfaces[name_of(model)] = model;
@@ -95,7 +95,7 @@ void add_ground_options(CLI::App& app, ViewOptions& options) {
            options.earth = text == "flat" ? EarthModel::flat : EarthModel::curved;
          },
          "curved (default), or flat: the affine map at the eye, no drop")
-      ->check(CLI::IsMember({"curved", "flat"}))
+      ->one_of({"curved", "flat"})
       ->type_name("curved|flat");
   add_choice<Coherence>(
       app, "--coherence", options.coherence,
@@ -105,7 +105,7 @@ void add_ground_options(CLI::App& app, ViewOptions& options) {
   add_number(app, "--refraction", options.refraction, "Geodetic coefficient k (default 0.13)");
 }
 
-void add_output_options(CLI::App& app, ViewOptions& options) {
+void add_output_options(CommandLine& app, ViewOptions& options) {
   app.add_option("-o", options.output,
                  "Picture: png, jpg, tif, exr, webp or ppm (default: the first DEM's name + .png)")
       ->type_name("FILE");
@@ -119,13 +119,13 @@ void add_output_options(CLI::App& app, ViewOptions& options) {
       ->type_name("FILE");
   app.add_option("--camera", options.camera, "The resolved camera as JSON")->type_name("FILE");
   app.add_option("--threads", options.threads, "Never changes the picture (default: all)")
-      ->check(CLI::Range(1, 256));
+      ->between(1, 256);
   add_bar_options(app, options.quiet, options.progress);
 }
 
 }  // namespace
 
-void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& options) {
+void add_dem_options(CommandLine& app, std::vector<std::string>& dems, DemOptions& options) {
   app.add_option("DEM", dems, "Elevation models in order of preference: anything GDAL opens")
       ->required()
       ->type_name("FILE");
@@ -154,16 +154,16 @@ void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& 
            options.memory_bytes = static_cast<std::size_t>(mebibytes * (1 << 20));
          },
          "Refuse DEMs that need more than this (default: half of the machine's)")
-      ->check(CLI::Range(1.0, 1e9))
+      ->between(1.0, 1e9)
       ->type_name("MIB");
   app.add_option_function<std::string>(
          "--voids", [&](const std::string& text) { options.fill_voids = text == "fill"; },
          "Fill interior voids up to 32 posts across (default), or leave all open")
-      ->check(CLI::IsMember({"fill", "open"}))
+      ->one_of({"fill", "open"})
       ->type_name("fill|open");
 }
 
-void add_view_options(CLI::App& app, ViewOptions& options) {
+void add_view_options(CommandLine& app, ViewOptions& options) {
   add_dem_options(app, options.dems, options.dem);
   add_place_options(app, options);
   add_projection_options(app, options);

@@ -21,11 +21,9 @@
 #include "sky/clear_sky.h"
 #include "sky/sun.h"
 
-namespace CLI {
-class App;
-}
-
 namespace terrview {
+
+class CommandLine;
 
 struct SceneContents;
 
@@ -155,8 +153,8 @@ struct ViewOptions {
 };
 
 // Adds the options that say how DEMs are read: shared by the commands that read any.
-void add_dem_options(CLI::App& app, std::vector<std::string>& dems, DemOptions& options);
+void add_dem_options(CommandLine& app, std::vector<std::string>& dems, DemOptions& options);
 
-void add_view_options(CLI::App& app, ViewOptions& options);
+void add_view_options(CommandLine& app, ViewOptions& options);
 
 }  // namespace terrview

@@ -53,26 +53,25 @@ SkyOptions sky_options(const ViewSkyOptions& options, const ViewFrame& frame, co
 
 }  // namespace
 
-void add_view_sky_options(CLI::App& app, ViewSkyOptions& sky) {
+void add_view_sky_options(CommandLine& app, ViewSkyOptions& sky) {
   add_parsed(
       app, "--sky", [&sky](const std::string& text) { sky.seed = parse_seed("--sky", text); },
       "Another number, other clouds (default 1)")
       ->type_name("SEED");
-  app.add_option("--clouds", sky.clouds, "0 none to 1 overcast (default 0.35)")
-      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--clouds", sky.clouds, "0 none to 1 overcast (default 0.35)")->between(0.0, 1.0);
   app.add_flag("--no-sky", sky.none, "A plain gradient");
   add_choice<SkyModel>(app, "--sky-model", sky.model,
                        {{"preetham", SkyModel::preetham}, {"gradient", SkyModel::gradient}},
                        "Behind the clouds: daylight (default), or a gradient of blue");
   app.add_option("--turbidity", sky.turbidity, "Of the daylight: 2 very clear to 6 hazy (2.5)")
-      ->check(CLI::Range(2.0, 6.0));
+      ->between(2.0, 6.0);
   add_parsed(
       app, "--cloud-base",
       [&sky](const std::string& text) { sky.cloud_base = parse_height("--cloud-base", text); },
       "Height of the clouds, or +H above the eye (default +2000)")
       ->type_name("METRES");
   app.add_option("--cloud-cell", sky.cloud_cell_m, "Side of the largest cloud cells (8000)")
-      ->check(CLI::Range(100.0, 100000.0))
+      ->between(100.0, 100000.0)
       ->type_name("METRES");
   app.add_flag("--cloud-shadows", sky.cloud_shadows, "Clouds shade the ground");
 }

@@ -12,7 +12,7 @@
 namespace terrview {
 
 // --sky, --clouds, --no-sky and what else says how the sky looks.
-void add_view_sky_options(CLI::App& app, ViewSkyOptions& sky);
+void add_view_sky_options(CommandLine& app, ViewSkyOptions& sky);
 
 // The sky of `scene`'s light before a camera, with the clouds in their places over the
 // ground; null for the plain gradient.

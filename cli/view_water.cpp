@@ -55,7 +55,7 @@ std::vector<std::shared_ptr<const Lakes>> lakes_of(const Terrain& terrain,
 
 }  // namespace
 
-void add_water_options(CLI::App& app, WaterOptions& options) {
+void add_water_options(CommandLine& app, WaterOptions& options) {
   app.add_option_function<std::vector<std::string>>(
          "--water",
          [&options](const std::vector<std::string>& texts) {

@@ -13,7 +13,7 @@
 
 namespace terrview {
 
-void add_water_options(CLI::App& app, WaterOptions& options);
+void add_water_options(CommandLine& app, WaterOptions& options);
 
 [[nodiscard]] bool has_water(const WaterOptions& options);
 

@@ -65,13 +65,13 @@ std::string group(const Wireline& wireline, LineKind kind, int depth) {
 
 }  // namespace
 
-void add_wireline_options(CLI::App& app, WirelineOptions& options) {
+void add_wireline_options(CommandLine& app, WirelineOptions& options) {
   app.add_option("--wireline", options.file,
                  "The view as lines, as SVG: the grid and the outlines that are seen")
       ->type_name("FILE");
   app.add_option("--wireline-step", options.step_posts,
                  "Posts between its grid lines (default: a power of two, by distance)")
-      ->check(CLI::Range(1, 1000000))
+      ->between(1, 1000000)
       ->type_name("N");
 }
 

@@ -8,7 +8,7 @@
 
 namespace terrview {
 
-void add_wireline_options(CLI::App& app, WirelineOptions& options);
+void add_wireline_options(CommandLine& app, WirelineOptions& options);
 
 // Throws InputError for options that need others.
 void check_wireline(const WirelineOptions& options);

@@ -13,7 +13,11 @@ for argument in "$@"; do
 done
 
 cmake/setup.sh
-if command -v ccache >/dev/null; then definitions+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+if [[ -z ${CCACHE_DISABLE:-} ]] && command -v ccache >/dev/null; then
+  definitions+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DTERRVIEW_PRECOMPILE=OFF)
+else
+  definitions+=(-DTERRVIEW_PRECOMPILE=ON)
+fi
 cmake --preset "$preset" "${definitions[@]}"
 
 # A compiler takes up to 1.5 GiB: as many at once as there are cores, and memory.

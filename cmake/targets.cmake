@@ -8,11 +8,11 @@ function(terrview_library folder)
   set_target_properties(terrview_${folder} PROPERTIES EXPORT_NAME ${folder})
 endfunction()
 
-# terrview_test(<name> <folder of tests> [EXCLUDE <regex>] <libraries...>): one test program per
-# folder, of the sources that do not match. Test suites whose names end in "Long" carry the ctest
-# label `long`.
+# terrview_test(<name> <folder of tests> [EXCLUDE <regex>] [PRECOMPILE <header>] <libraries...>): one
+# test program per folder, of the sources that do not match. Test suites whose names end in "Long"
+# carry the ctest label `long`. PRECOMPILE names a header to precompile beside that of the tests.
 function(terrview_test name folder)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" EXCLUDE "")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "EXCLUDE;PRECOMPILE" "")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   if(arg_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX "${arg_EXCLUDE}")
@@ -23,10 +23,15 @@ function(terrview_test name folder)
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE terrview_flags ${arg_UNPARSED_ARGUMENTS} rapidcheck GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TERRVIEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(TERRVIEW_PRECOMPILE AND arg_PRECOMPILE)
+    target_precompile_headers(${name} PRIVATE <gtest/gtest.h> ${arg_PRECOMPILE})
+  elseif(TERRVIEW_PRECOMPILE)
+    target_precompile_headers(${name} REUSE_FROM terrview_test_support)
+  endif()
   # The second pattern is that of typed suites, TracerLong/0.Name.
   set(long "*Long.*:*Long/*.*")
-  if(TERRVIEW_SANITIZE)
-    # Processes with sanitizers take so long to start that a test each would spend most of the time so.
+  if(TERRVIEW_TEST_SHARDS OR TERRVIEW_SANITIZE)
+    # A process with sanitizers takes so long to start that a test each would spend most of the time so.
     set(shards 12)
     foreach(shard RANGE 1 ${shards})
       math(EXPR index "${shard} - 1")

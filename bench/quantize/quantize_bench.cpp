@@ -31,9 +31,8 @@ Options parse_options(const std::vector<std::string>& args) {
   line.add_option("PICTURE", options.pictures, "pictures that GDAL reads")->required();
   line.add_option("--colors", options.colors, "numbers of colours")
       ->delimiter(',')
-      ->check(CLI::Range(2, kMaxPaletteColors));
-  line.add_option("--repetitions", options.repetitions, "medians are of so many")
-      ->check(CLI::Range(1, 1000));
+      ->between(2, kMaxPaletteColors);
+  line.add_option("--repetitions", options.repetitions, "medians are of so many")->between(1, 1000);
   line.add_option("--json", options.json, "write the results");
   line.parse_args(args);
   return options;

@@ -7,7 +7,7 @@
 namespace terrview {
 namespace {
 
-void add_batch_options(CLI::App& app, BatchOptions& options) {
+void add_batch_options(CommandLine& app, BatchOptions& options) {
   app.add_option("JOBS", options.table,
                  "The table, a view a row: CSV, a JSON array of objects, or GeoJSON points; its "
                  "columns are named as the options of view");
@@ -30,7 +30,7 @@ void add_batch_options(CLI::App& app, BatchOptions& options) {
       ->type_name("MANIFEST");
 }
 
-void add_path_options(CLI::App& app, BatchOptions& options) {
+void add_path_options(CommandLine& app, BatchOptions& options) {
   PathOptions& moving = options.moving;
   const auto above_zero = [](const std::string& name, const std::string& text) {
     const double value = parse_number(name, text);

@@ -5,8 +5,7 @@
 #include <numeric>
 #include <set>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.h"
 #include "cli/nearest_name.h"
 #include "cli/parse.h"
 #include "cli/view_options.h"
@@ -19,16 +18,6 @@ namespace {
 const std::set<std::string> kBehaviour{"o",        "overwrite",   "threads", "quiet",
                                        "progress", "progressive", "help"};
 
-std::string name_of(const CLI::Option& option) {
-  return option.get_lnames().empty() ? option.get_snames().front() : option.get_lnames().front();
-}
-
-bool has_no_value(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
-
-bool takes_many(const CLI::Option& option) {
-  return option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
-}
-
 bool is_number(const std::string& text) {
   char* end = nullptr;
   static_cast<void>(std::strtod(text.c_str(), &end));
@@ -38,37 +27,35 @@ bool is_number(const std::string& text) {
 }  // namespace
 
 struct ViewVocabulary::Definitions {
-  CLI::App app;
-  ViewOptions options;
-  std::map<std::string, const CLI::Option*> by_name;
+  std::map<std::string, OptionDefinition> by_name;
   std::set<std::string> reading;  // of DEMs
 };
 
 ViewVocabulary::ViewVocabulary() : definitions_(std::make_unique<Definitions>()) {
-  add_view_options(definitions_->app, definitions_->options);
-  for (const CLI::Option* option : definitions_->app.get_options())
-    if (option->nonpositional()) definitions_->by_name[name_of(*option)] = option;
-  CLI::App dem_app;
+  CommandLine app("", "terrview view");
+  ViewOptions options;
+  add_view_options(app, options);
+  for (const OptionDefinition& option : app.definitions())
+    definitions_->by_name[option.name] = option;
+  CommandLine dem_app("", "terrview view");
   std::vector<std::string> dems;
   DemOptions reading;
   add_dem_options(dem_app, dems, reading);
-  for (const CLI::Option* option : dem_app.get_options())
-    if (option->nonpositional()) definitions_->reading.insert(name_of(*option));
+  for (const OptionDefinition& option : dem_app.definitions())
+    definitions_->reading.insert(option.name);
 }
 
 ViewVocabulary::~ViewVocabulary() = default;
 
-const CLI::Option& ViewVocabulary::option(const std::string& name) const {
-  return *definitions_->by_name.at(name);
+const OptionDefinition& ViewVocabulary::option(const std::string& name) const {
+  return definitions_->by_name.at(name);
 }
 
-OptionValues ViewVocabulary::given(const CLI::App& parsed) const {
+OptionValues ViewVocabulary::given(const CommandLine& parsed) const {
   OptionValues values;
-  for (const CLI::Option* option : parsed.get_options()) {
-    if (option->count() > 0 && option->nonpositional() &&
-        definitions_->by_name.count(name_of(*option)) > 0)
-      values[name_of(*option)] = option->results();
-  }
+  for (const OptionDefinition& option : parsed.definitions())
+    if (!option.values.empty() && definitions_->by_name.count(option.name) > 0)
+      values[option.name] = option.values;
   return values;
 }
 
@@ -94,10 +81,10 @@ bool ViewVocabulary::is_behaviour(const std::string& option) const {
   return kBehaviour.count(option) > 0;
 }
 
-bool ViewVocabulary::is_flag(const std::string& name) const { return has_no_value(option(name)); }
+bool ViewVocabulary::is_flag(const std::string& name) const { return option(name).is_flag; }
 
 bool ViewVocabulary::names_file(const std::string& name, const std::string& value) const {
-  const std::string kinds = "|" + option(name).get_type_name() + "|";
+  const std::string kinds = "|" + option(name).type_name + "|";
   const auto is_kind = [&](const std::string& kind) {
     return kinds.find("|" + kind + "|") != std::string::npos;
   };
@@ -113,8 +100,8 @@ std::vector<std::string> ViewVocabulary::names() const {
 
 void ViewVocabulary::set(const std::string& name, const std::vector<std::string>& cell,
                          OptionValues& values) const {
-  const CLI::Option& known = option(name);
-  if (has_no_value(known)) {
+  const OptionDefinition& known = option(name);
+  if (known.is_flag) {
     const std::string word = lower_case(cell.front());
     if (cell.size() != 1 || (word != "true" && word != "false"))
       throw InputError("--" + name + " " + cell.front() + ": give true, false or nothing");
@@ -123,7 +110,7 @@ void ViewVocabulary::set(const std::string& name, const std::vector<std::string>
     return;
   }
   values[name] = cell;
-  if (takes_many(known) || cell.size() == 1) return;
+  if (known.takes_all || cell.size() == 1) return;
   const auto with_comma = [](const std::string& a, const std::string& b) { return a + "," + b; };
   values[name] = {std::accumulate(cell.begin() + 1, cell.end(), cell.front(), with_comma)};
 }
@@ -138,8 +125,8 @@ OptionValues ViewVocabulary::with_row(OptionValues values, const JobRow& row) co
     if (values.count(*name) > 0) said[*name] = values[*name];
   }
   for (const auto& [name, unused] : said) {
-    for (const CLI::Option* excluded : option(name).get_excludes())
-      if (said.count(name_of(*excluded)) == 0) values.erase(name_of(*excluded));
+    for (const std::string& excluded : option(name).excludes)
+      if (said.count(excluded) == 0) values.erase(excluded);
   }
   return values;
 }
@@ -150,7 +137,7 @@ std::vector<std::string> ViewVocabulary::arguments(const OptionValues& values,
   for (const auto& [name, all] : values) {
     const bool is_short = name.size() == 1;
     for (const std::string& value : all) {
-      if (has_no_value(option(name)))
+      if (option(name).is_flag)
         args.push_back("--" + name);
       else
         args.push_back(is_short ? "-" + name + value : "--" + name + "=" + value);

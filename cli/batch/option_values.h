@@ -9,12 +9,10 @@
 
 #include "cli/batch/job_table.h"
 
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
 namespace terrview {
+
+class CommandLine;
+struct OptionDefinition;
 
 // By the option's long name (o for -o); a flag's value is true.
 using OptionValues = std::map<std::string, std::vector<std::string>>;
@@ -28,7 +26,7 @@ class ViewVocabulary {
   ViewVocabulary& operator=(const ViewVocabulary&) = delete;
 
   // What a parsed command line has of them.
-  [[nodiscard]] OptionValues given(const CLI::App& parsed) const;
+  [[nodiscard]] OptionValues given(const CommandLine& parsed) const;
 
   // The option that a column sets; '_' counts as '-'. nullopt: none.
   [[nodiscard]] std::optional<std::string> option_of(const std::string& column) const;
@@ -60,7 +58,7 @@ class ViewVocabulary {
                                                    const std::vector<std::string>& dems) const;
 
  private:
-  [[nodiscard]] const CLI::Option& option(const std::string& name) const;
+  [[nodiscard]] const OptionDefinition& option(const std::string& name) const;
   void set(const std::string& name, const std::vector<std::string>& cell,
            OptionValues& values) const;
 

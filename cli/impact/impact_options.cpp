@@ -21,7 +21,7 @@ constexpr std::array<const char*, 24> kNotOfAStudy{
     "--of",     "--co",          "--palette",     "--use-palette", "--save-palette",
     "--dither", "--layers",      "--stats",       "--camera"};
 
-void add_study_options(CLI::App& app, ImpactOptions& options) {
+void add_study_options(CommandLine& app, ImpactOptions& options) {
   app.add_option("--existing", options.existing,
                  "Footprints of buildings that stand already; may be given several times")
       ->type_name("FILE")
@@ -38,7 +38,7 @@ void add_study_options(CLI::App& app, ImpactOptions& options) {
   app.add_option_function<std::string>(
          "--zone", [&](const std::string& text) { options.zone = text == "on"; },
          "From where on the DEM the project can be seen (default on)")
-      ->check(CLI::IsMember({"on", "off"}))
+      ->one_of({"on", "off"})
       ->type_name("on|off");
   app.add_option("--title", options.title, "Of the report (default: the project's file)")
       ->type_name("TEXT");

@@ -1,7 +1,5 @@
 #include "cli/scene/scene_options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "cli/command_line.h"
 #include "cli/view_options.h"
 

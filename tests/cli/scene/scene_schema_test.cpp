@@ -53,12 +53,12 @@ std::map<std::string, Names> keys_by_kind(const std::string& name) {
 }
 
 // What the schema says of an option.
-Json option_schema(const CLI::Option& option) {
+Json option_schema(const OptionDefinition& option) {
   Json json;
-  const std::string type = option.get_type_name();
+  const std::string type = option.type_name;
   const std::string words = type.substr(0, type.find(":{"));
   const bool has_choices = type.find(":{") != std::string::npos;
-  if (option.get_items_expected_max() == 0) {
+  if (option.is_flag) {
     json["type"] = "boolean";
   } else if (has_choices) {
     json["enum"] = Json::array();
@@ -70,19 +70,18 @@ Json option_schema(const CLI::Option& option) {
   } else {
     json["$ref"] = "#/$defs/value";
   }
-  json["description"] = option.get_description();
+  json["description"] = option.help;
   return json;
 }
 
 TEST(SceneSchema, HasEveryOptionOfViewButThoseOfTheProgram) {
-  CLI::App app;
+  CommandLine app("", "terrview view");
   ViewOptions options;
   add_view_options(app, options);
   const ViewVocabulary vocabulary;
   Json expected = Json::object();
-  for (const std::string& name : vocabulary.names())
-    if (!vocabulary.is_behaviour(name))
-      expected[name] = option_schema(*app.get_option("--" + name));
+  for (const OptionDefinition& option : app.definitions())
+    if (!vocabulary.is_behaviour(option.name)) expected[option.name] = option_schema(option);
   EXPECT_EQ(definition("options").at("properties"), expected) << expected.dump();
 }
 
