@@ -131,6 +131,8 @@ template CommandOption* CommandLine::add_option(const std::string&, std::vector<
 template CommandOption* CommandLine::add_option(const std::string&, double&, const std::string&);
 template CommandOption* CommandLine::add_option(const std::string&, std::optional<double>&,
                                                 const std::string&);
+template CommandOption* CommandLine::add_option(const std::string&, std::optional<int>&,
+                                                const std::string&);
 template CommandOption* CommandLine::add_option(const std::string&, std::optional<std::string>&,
                                                 const std::string&);
 

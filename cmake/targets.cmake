@@ -1,3 +1,13 @@
+# terrview_precompile(<target> <headers...>): has these, and what most sources include, read once for
+# the whole target. With sanitizers alone: elsewhere a source that lacks an include is to fail.
+function(terrview_precompile target)
+  if(TERRVIEW_PRECOMPILE AND TERRVIEW_SANITIZE)
+    target_precompile_headers(${target} PRIVATE
+      <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <set> <span> <string>
+      <vector> <glm/common.hpp> <glm/geometric.hpp> <glm/matrix.hpp> ${ARGN})
+  endif()
+endfunction()
+
 # terrview_library(<folder> <public libraries...>): the static library of one folder's sources, which
 # other projects know as terrview::<folder>.
 function(terrview_library folder)
@@ -6,6 +16,7 @@ function(terrview_library folder)
   target_link_libraries(terrview_${folder} PUBLIC terrview_flags ${ARGN})
   add_library(terrview::${folder} ALIAS terrview_${folder})
   set_target_properties(terrview_${folder} PROPERTIES EXPORT_NAME ${folder})
+  terrview_precompile(terrview_${folder})
 endfunction()
 
 # terrview_test(<name> <folder of tests> [EXCLUDE <regex>] [PRECOMPILE <header>] <libraries...>): one
