@@ -17,6 +17,7 @@
 #include "terrain/height_ceilings.h"
 #include "terrain/march_set.h"
 #include "terrain/terrain.h"
+#include "terrain/vector_masks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -91,16 +92,8 @@ class Marcher {
   static HWY_INLINE VI get(const MarchSet::Ints& values, std::size_t first) {
     return hn::Load(I(), values.data() + first);
   }
-  static HWY_INLINE std::uint32_t bits_of(MF mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(F(), mask, bytes);
-    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
-  }
-  static HWY_INLINE MF mask_of(std::uint32_t bits) {
-    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
-                                   static_cast<std::uint8_t>(bits >> 8)};
-    return hn::LoadMaskBits(F(), bytes);
-  }
+  static HWY_INLINE std::uint32_t bits_of(MF mask) { return mask_bits(F(), mask); }
+  static HWY_INLINE MF mask_of(std::uint32_t bits) { return mask_from(F(), bits); }
   static HWY_INLINE VI choose(MF mask, VI yes, VI no) {
     return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no);
   }

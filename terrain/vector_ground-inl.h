@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "terrain/terrain.h"
+#include "terrain/vector_masks-inl.h"
 #include "terrain/vertical_math.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,16 +35,8 @@ HWY_INLINE V series(const std::array<double, 6>& coefficients, V x) {
   return sum;
 }
 
-HWY_INLINE std::uint32_t bits_of(M mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(D(), mask, bytes);
-  return bytes[0];
-}
-
-HWY_INLINE M mask_of(std::uint32_t bits) {
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
-  return hn::LoadMaskBits(D(), bytes);
-}
+HWY_INLINE std::uint32_t bits_of(M mask) { return mask_bits(D(), mask); }
+HWY_INLINE M mask_of(std::uint32_t bits) { return mask_from(D(), bits); }
 
 // z of the ground: VerticalFrame::at(line.at(g)).z_m(z_scale * height), lane by lane.
 class VectorFrame {
