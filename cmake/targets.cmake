@@ -34,10 +34,9 @@ function(terrview_test name folder)
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE terrview_flags ${arg_UNPARSED_ARGUMENTS} rapidcheck GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TERRVIEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  if(TERRVIEW_PRECOMPILE AND arg_PRECOMPILE)
+  if(TERRVIEW_PRECOMPILE)
+    # Every test includes it, so that none comes to lack an include.
     target_precompile_headers(${name} PRIVATE <gtest/gtest.h> ${arg_PRECOMPILE})
-  elseif(TERRVIEW_PRECOMPILE)
-    target_precompile_headers(${name} REUSE_FROM terrview_test_support)
   endif()
   # The second pattern is that of typed suites, TracerLong/0.Name.
   set(long "*Long.*:*Long/*.*")
