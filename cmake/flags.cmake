@@ -21,6 +21,8 @@ if(TERRVIEW_SANITIZE)
     "$<BUILD_INTERFACE:-fsanitize=${TERRVIEW_SANITIZE};-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
   target_link_options(terrview_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=${TERRVIEW_SANITIZE}>)
 endif()
+# Vector code is compiled for SSE4, AVX2 and AVX-512; between SSE4 and none no machine is worth its time.
+target_compile_definitions(terrview_flags INTERFACE $<BUILD_INTERFACE:HWY_DISABLED_TARGETS=HWY_SSSE3>)
 target_compile_features(terrview_flags INTERFACE cxx_std_20)
 target_include_directories(terrview_flags INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/terrview>)
