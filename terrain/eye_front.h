@@ -33,8 +33,10 @@ struct EyeFrontOptions {
 
 class EyeFront {
  public:
-  static constexpr int kGroup = 16;  // wedges made at a time
-  static constexpr int kStride = 8;  // rings a step of the coarse search
+  static constexpr int kGroupBits = 4;
+  static constexpr int kGroup = 1 << kGroupBits;  // wedges made at a time
+  static constexpr int kStrideBits = 3;
+  static constexpr int kStride = 1 << kStrideBits;  // rings a step of the coarse search
   // Of slopes, by slope / (kHalfwaySlope + |slope|) from -1 to 1.
   static constexpr int kStartBinBits = 11;
   static constexpr int kStartBins = 1 << kStartBinBits;

@@ -137,10 +137,10 @@ class EyeScout {
     s.y = across_y * inverse;
     s.w.slope = up * inverse;
     s.wedge = hn::ConvertTo(I(), sectors_of(F(), s.x, s.y, front_.wedges_a_side()));
-    make_groups(hn::ShiftRight<4>(s.wedge));
+    make_groups(hn::ShiftRight<EyeFront::kGroupBits>(s.wedge));
     s.w.g = search_.start_m(start_of(s));
     if (rays_.follows) s.w.g = hn::Max(s.w.g, safely(as_floats(rays_.clear_m, first)));
-    if constexpr (kGround != Ground::flat) s.w.curvature = lines_.curvature(s.x, s.y);
+    if constexpr (kGround != Ground::flat) s.w.curvature = walk_.curvature(s.x, s.y);
     if constexpr (kBent) {
       s.piece = lines_.piece_at(s.w.g);
     } else {

@@ -77,9 +77,8 @@ class FrontSearch {
 
  private:
   static constexpr float kRounding = 0x1p-21F;
-  static constexpr int kStrideBits = 3;
-  static constexpr int kGroupBits = 4;
-  static_assert(1 << kStrideBits == EyeFront::kStride && 1 << kGroupBits == EyeFront::kGroup);
+  static constexpr int kStrideBits = EyeFront::kStrideBits;
+  static constexpr int kGroupBits = EyeFront::kGroupBits;
 
   static HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
 

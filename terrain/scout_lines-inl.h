@@ -34,17 +34,11 @@ class ScoutLines {
   using VF = typename Walker::VF;
   using F = typename Walker::F;
 
-  explicit ScoutLines(const Terrain& terrain)
-      : frame_(terrain.frame()), jacobian_(*terrain.layers()[0].map->linear()) {}
+  explicit ScoutLines(const Terrain& terrain) : jacobian_(*terrain.layers()[0].map->linear()) {}
 
   [[nodiscard]] double posts_per_m() const {
     return std::max(std::abs(jacobian_[0][0]) + std::abs(jacobian_[1][0]),
                     std::abs(jacobian_[0][1]) + std::abs(jacobian_[1][1]));
-  }
-
-  // 1 / R along directions.
-  HWY_INLINE VF curvature(VF x, VF y) const {
-    return x * x * of(frame_.east_curvature_per_m) + y * y * of(frame_.north_curvature_per_m);
   }
 
   // Sets the rates of lines.
@@ -58,7 +52,6 @@ class ScoutLines {
  private:
   static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
 
-  const VerticalFrame& frame_;
   const glm::dmat2& jacobian_;
 };
 
@@ -73,18 +66,13 @@ class ScoutLines<Ground::bent> {
   using VI = Walker::VI;
   using MF = Walker::MF;
 
-  explicit ScoutLines(const Terrain& terrain)
-      : frame_(terrain.frame()), tracks_(*terrain.layers()[0].map->eye_tracks()) {
+  explicit ScoutLines(const Terrain& terrain) : tracks_(*terrain.layers()[0].map->eye_tracks()) {
     const glm::dvec2 eye_uv = tracks_.eye_uv();
     eye_ = eye_uv - glm::floor(eye_uv);
   }
 
   [[nodiscard]] double posts_per_m() const { return tracks_.posts_per_m(); }
   [[nodiscard]] int pieces() const { return tracks_.pieces(); }
-
-  HWY_INLINE VF curvature(VF x, VF y) const {
-    return x * x * of(frame_.east_curvature_per_m) + y * y * of(frame_.north_curvature_per_m);
-  }
 
   // The pieces that distances lie on.
   HWY_INLINE VI piece_at(VF g) const {
@@ -119,7 +107,6 @@ class ScoutLines<Ground::bent> {
  private:
   static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
 
-  const VerticalFrame& frame_;
   const EyeTracks& tracks_;
   glm::dvec2 eye_;
 };

@@ -82,6 +82,11 @@ class ScoutWalk {
   // The cells of walks, in the grid.
   HWY_INLINE VF column_of(const Walk& w) const { return w.column - of(first_column_); }
   HWY_INLINE VF row_of(const Walk& w) const { return w.row - of(first_row_); }
+  // 1 / R along directions from the eye.
+  HWY_INLINE VF curvature(VF x, VF y) const {
+    return x * x * of(static_cast<float>(frame_.east_curvature_per_m)) +
+           y * y * of(static_cast<float>(frame_.north_curvature_per_m));
+  }
   // Cells compared with rays.
   [[nodiscard]] std::int64_t tests() const { return tests_; }
 

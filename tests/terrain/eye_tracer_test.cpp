@@ -12,6 +12,7 @@
 
 #include "tests/support/expectations.h"
 #include "tests/support/instruction_sets.h"
+#include "tests/support/parabolic_map.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 
@@ -105,6 +106,27 @@ TEST(TraceEyeRays, HasThemOnBentTracks) {
   expect_same_bits(3, Position::general, [](Random& random) {
     return random_parabolic_terrain(random, SurfaceModel::hyperboloid);
   });
+}
+
+// A wall that is met by tracks which have been off the grid in between.
+TEST(TraceEyeRays, HasThemOnTracksThatLeaveTheGridAndComeBack) {
+  const auto map = std::make_shared<const ParabolicGroundMap>(glm::dvec2(2, 3), 1.0, 1e-3, 170.0);
+  const HeightGrid wall = make_grid(40, 150, [](int, int row) { return row < 110 ? 0 : 50; });
+  const Terrain terrain({{.grid = std::make_shared<const HeightGrid>(wall), .map = map}},
+                        {.eye_height_m = 10}, SurfaceModel::hyperboloid);
+  ASSERT_TRUE(EyeFront::serves(terrain));
+  Random random(6);
+  std::vector<glm::dvec3> directions;
+  int returned = 0;
+  while (directions.size() < 2000) {
+    const double azimuth_rad = random.uniform(-0.16, 0);
+    const glm::dvec2 across(std::sin(azimuth_rad), std::cos(azimuth_rad));
+    directions.emplace_back(across, random.uniform(-0.05, 0.2));
+    returned += map->to_grid(50.0 * across).x < 0 && map->to_grid(120.0 * across).x > 0 ? 1 : 0;
+  }
+  EXPECT_GT(returned, 200);
+  const EyeFront front(terrain, {.wedge_rad = 0.01});
+  EXPECT_GT(expect_hits_of_single_rays(front, directions), 500);
 }
 
 TEST(TraceEyeRays, HasThemUnderEveryInstructionSet) {
