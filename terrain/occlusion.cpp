@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "terrain/march-inl.h"
+#include "terrain/march.h"
 #include "terrain/march_lines.h"
 #include "terrain/march_set.h"
 #include "terrain/occlusion.h"
@@ -233,10 +233,8 @@ void check_starts(const Terrain& terrain, MarchLines& lines, MarchSet& set,
   MarchStart(terrain, lines, set).check_starts(fates);
 }
 
-void march(const Terrain& terrain, MarchLines& lines, MarchSet& set,
-           std::array<March, MarchSet::kMost>& fates, TraceCounts& counts) {
+void put_in_set(const Terrain& terrain, MarchLines& lines, MarchSet& set) {
   MarchStart(terrain, lines, set).run();
-  Marcher(terrain, set, fates).run(counts);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -248,7 +246,7 @@ namespace terrview {
 
 HWY_EXPORT(lay_straight);
 HWY_EXPORT(check_starts);
-HWY_EXPORT(march);
+HWY_EXPORT(put_in_set);
 
 namespace {
 
@@ -260,7 +258,8 @@ bool serves(const Terrain& terrain) {
 // Up to kMost rays of a terrain.
 class Batch {
  public:
-  Batch(const Terrain& terrain, std::span<const Ray> rays) : terrain_(terrain), rays_(rays) {
+  Batch(const Terrain& terrain, const SunMap* sun, std::span<const Ray> rays)
+      : terrain_(terrain), sun_(sun), rays_(rays) {
     fates_.fill(March::on_its_way);
   }
 
@@ -268,7 +267,8 @@ class Batch {
     begin();
     HWY_DYNAMIC_DISPATCH(check_starts)(terrain_, lines_, set_, fates_);
     while (take_waiting()) {
-      HWY_DYNAMIC_DISPATCH(march)(terrain_, lines_, set_, fates_, counts);
+      HWY_DYNAMIC_DISPATCH(put_in_set)(terrain_, lines_, set_);
+      march(terrain_, sun_, set_, fates_, counts);
       go_on_from_knots();
     }
     for (std::size_t i = 0; i < rays_.size(); ++i)
@@ -336,6 +336,7 @@ class Batch {
   }
 
   const Terrain& terrain_;
+  const SunMap* sun_;
   std::span<const Ray> rays_;
   MarchLines lines_;
   MarchSet set_;
@@ -345,7 +346,7 @@ class Batch {
 }  // namespace
 
 void occluded(const Terrain& terrain, std::span<const Ray> rays, std::span<std::uint8_t> stopped,
-              TraceCounts& counts) {
+              TraceCounts& counts, const SunMap* sun) {
   if (!serves(terrain)) {
     for (std::size_t i = 0; i < rays.size(); ++i)
       stopped[i] = terrain.occluded(rays[i], &counts) ? 1 : 0;
@@ -353,7 +354,7 @@ void occluded(const Terrain& terrain, std::span<const Ray> rays, std::span<std::
   }
   for (std::size_t i = 0; i < rays.size(); i += MarchSet::kMost) {
     const std::size_t count = std::min(MarchSet::kMost, rays.size() - i);
-    Batch(terrain, rays.subspan(i, count)).run(stopped.subspan(i, count), counts);
+    Batch(terrain, sun, rays.subspan(i, count)).run(stopped.subspan(i, count), counts);
   }
 }
 

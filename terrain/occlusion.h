@@ -18,8 +18,12 @@
 
 namespace terrview {
 
+class SunMap;
+
 // stopped[i] = whether the ground stops rays[i], as Terrain::occluded() has it. Adds to `counts`.
+// With `sun`, a map of this terrain, the rays all run towards its sun (direction_at()), and end
+// where they come to a cell that it shines on.
 void occluded(const Terrain& terrain, std::span<const Ray> rays, std::span<std::uint8_t> stopped,
-              TraceCounts& counts);
+              TraceCounts& counts, const SunMap* sun = nullptr);
 
 }  // namespace terrview

@@ -99,4 +99,9 @@ Ray Terrain::leave(const Hit& hit, const glm::dvec3& direction) const {
   return {origin_m, direction};
 }
 
+double Terrain::most_lift_m() const {
+  // The Earth drops by less than the distance.
+  return kLift * (3 * reach_m_ + 3 * height_bound_m_ + 2 * std::abs(frame_.eye_height_m));
+}
+
 }  // namespace terrview

@@ -102,6 +102,8 @@ class Terrain {
   // under a ray depends on its plane) and by the rounding error, so that it does not meet the
   // ground it leaves.
   [[nodiscard]] Ray leave(const Hit& hit, const glm::dvec3& direction) const;
+  // By at most so much.
+  [[nodiscard]] double most_lift_m() const;
 
   [[nodiscard]] const std::vector<TerrainLayer>& layers() const { return layers_; }
   [[nodiscard]] const VerticalFrame& frame() const { return frame_; }

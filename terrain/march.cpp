@@ -1,11 +1,7 @@
-// The march of a MarchSet. Included once for every instruction set.
-#if defined(TERRVIEW_TERRAIN_MARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef TERRVIEW_TERRAIN_MARCH_INL_H_
-#undef TERRVIEW_TERRAIN_MARCH_INL_H_
-#else
-#define TERRVIEW_TERRAIN_MARCH_INL_H_
-#endif
-
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "terrain/march.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for every instruction set
+//
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -15,7 +11,9 @@
 #include <limits>
 
 #include "terrain/height_ceilings.h"
+#include "terrain/march.h"
 #include "terrain/march_set.h"
+#include "terrain/sun_map.h"
 #include "terrain/terrain.h"
 #include "terrain/vector_masks-inl.h"
 
@@ -33,12 +31,14 @@ class Marcher {
   using VI = hn::Vec<I>;
   using MF = hn::Mask<F>;
 
-  Marcher(const Terrain& terrain, MarchSet& set, std::array<March, MarchSet::kMost>& fates)
+  Marcher(const Terrain& terrain, const SunMap* sun, MarchSet& set,
+          std::array<March, MarchSet::kMost>& fates)
       : grid_(*terrain.layers()[0].grid),
         ceilings_(*terrain.layers()[0].ceilings),
         highest_m_(ceilings_.level(ceilings_.last_level()).highest_m[0]),
         has_holes_(terrain.has_holes()),
         leaves_once_(terrain.layers()[0].map->linear() != nullptr),
+        sun_(sun),
         set_(set),
         fates_(fates) {}
 
@@ -257,10 +257,24 @@ class Marcher {
     const VF highest = of(highest_m_);
     const VF slack = get(set_.slack, first) + of(kRounding) * (hn::Abs(climb) + hn::Abs(highest));
     const MF over_all = hn::And(rise >= of(0), (get(set_.height, first) - highest) + climb > slack);
-    const std::uint32_t free = active & bits_of(over_all);
+    std::uint32_t free = active & bits_of(over_all);
+    if (sun_ != nullptr) free |= come_to_light(active & ~(outside | free), column, row);
     settle(first, free, March::free);
     settle(first, outside & ~free, leaves_once_ ? March::free : March::undecided);
     set_.marching[first / kLanes] = static_cast<std::uint16_t>(active & ~(outside | free));
+  }
+
+  // Which of the `active` lanes come, from above, to a cell that the sun shines on.
+  HWY_INLINE std::uint32_t come_to_light(std::uint32_t active, VI column, VI row) const {
+    const auto [start, per_column, per_row] = sun_->place();
+    const VI byte = of_int(start) + of_int(per_column) * column + of_int(per_row) * row;
+    const VI word =
+        hn::ShiftRight<2>(hn::IfThenElseZero(hn::RebindMask(I(), mask_of(active)), byte));
+    const auto* words = reinterpret_cast<const std::int32_t*>(sun_->words());
+    const VI shift = hn::ShiftLeft<3>(hn::And(byte, of_int(3)));
+    const VI light = hn::And(hn::Shr(hn::GatherIndex(I(), words, word), shift), of_int(0xff));
+    const auto lit = light == of_int(static_cast<std::int32_t>(Sunlight::lit));
+    return active & bits_of(hn::RebindMask(F(), lit));
   }
 
   HWY_INLINE void settle(std::size_t first, std::uint32_t lanes, March fate) {
@@ -286,14 +300,31 @@ class Marcher {
   float highest_m_;
   bool has_holes_;
   bool leaves_once_;
+  const SunMap* sun_;
   MarchSet& set_;
   std::array<March, MarchSet::kMost>& fates_;
   std::int64_t tests_ = 0;
   std::int64_t nodes_ = 0;
 };
 
+void march_to_end(const Terrain& terrain, const SunMap* sun, MarchSet& set,
+                  std::array<March, MarchSet::kMost>& fates, TraceCounts& counts) {
+  Marcher(terrain, sun, set, fates).run(counts);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace terrview
 HWY_AFTER_NAMESPACE();
 
+#if HWY_ONCE
+namespace terrview {
+
+HWY_EXPORT(march_to_end);
+
+void march(const Terrain& terrain, const SunMap* sun, MarchSet& set,
+           std::array<March, MarchSet::kMost>& fates, TraceCounts& counts) {
+  HWY_DYNAMIC_DISPATCH(march_to_end)(terrain, sun, set, fates, counts);
+}
+
+}  // namespace terrview
 #endif

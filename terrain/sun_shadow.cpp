@@ -1,0 +1,210 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "terrain/sun_shadow.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for every instruction set
+//
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "terrain/grid_points.h"
+#include "terrain/grid_walk.h"
+#include "terrain/march.h"
+#include "terrain/march_set.h"
+#include "terrain/occlusion.h"
+#include "terrain/sun_shadow.h"
+#include "terrain/vector_ground-inl.h"
+#include "terrain/vector_limits.h"
+#include "terrain/view_transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace terrview {
+namespace HWY_NAMESPACE {
+
+// Finds the cells of points.x_m, points.y_m, lane by lane as the map of the ground has them.
+void find_cells(const Terrain& terrain, const SunMap& map, GridPoints& points) {
+  const glm::dmat2 j = *terrain.layers()[0].map->linear();
+  const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
+  const auto [first, per_column, per_row] = map.place();
+  const V last_column = of(terrain.layers()[0].grid->columns - 2);
+  const V last_row = of(terrain.layers()[0].grid->rows - 2);
+  const hn::Rebind<std::int32_t, D> ints;
+  for (std::size_t i = 0; i < points.count; i += hn::Lanes(D())) {
+    const V x = hn::Load(D(), points.x_m.data() + i);
+    const V y = hn::Load(D(), points.y_m.data() + i);
+    const V u = of(eye_uv.x) + (of(j[0][0]) * x + of(j[1][0]) * y);
+    const V v = of(eye_uv.y) + (of(j[0][1]) * x + of(j[1][1]) * y);
+    const V column = hn::Floor(u);
+    const V row = hn::Floor(v);
+    const V in_column = u - column;
+    const V in_row = v - row;
+    const V least = hn::Min(in_column, in_row);
+    const V most = hn::Max(in_column, in_row);
+    M known = hn::And(least > of(SunMap::kBorder), most < of(1 - SunMap::kBorder));
+    known = hn::And(known, hn::And(hn::Min(column, row) >= of(0),
+                                   hn::And(column <= last_column, row <= last_row)));
+    const V light = of(first) + of(per_column) * column + of(per_row) * row;
+    hn::Store(in_column, D(), points.u.data() + i);
+    hn::Store(in_row, D(), points.v.data() + i);
+    hn::Store(hn::DemoteTo(ints, hn::IfThenElseZero(known, column)), ints,
+              points.column.data() + i);
+    hn::Store(hn::DemoteTo(ints, hn::IfThenElseZero(known, row)), ints, points.row.data() + i);
+    hn::Store(hn::DemoteTo(ints, hn::IfThenElse(known, light, of(-1))), ints,
+              points.light.data() + i);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace terrview
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace terrview {
+
+HWY_EXPORT(find_cells);
+
+namespace {
+
+// Rays that all go alike: over a linear map on a flat Earth.
+class ParallelRays {
+ public:
+  ParallelRays(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
+               std::span<std::uint8_t> shaded, TraceCounts& counts)
+      : terrain_(terrain),
+        map_(map),
+        points_m_(points_m),
+        shaded_(shaded),
+        counts_(counts),
+        can_march_(within_vector_limits(terrain) && terrain.layers()[0].ceilings) {
+    if (can_march_) aim();
+  }
+
+  void run() {
+    for (std::size_t first = 0; first < points_m_.size(); first += GridPoints::kMost) {
+      points_.count = std::min(GridPoints::kMost, points_m_.size() - first);
+      for (std::size_t i = 0; i < points_.count; ++i) {
+        points_.x_m[i] = points_m_[first + i].x;
+        points_.y_m[i] = points_m_[first + i].y;
+      }
+      HWY_DYNAMIC_DISPATCH(find_cells)(terrain_, map_, points_);
+      for (std::size_t i = 0; i < points_.count; ++i) look_up(first + i, i);
+    }
+    march_waiting();
+  }
+
+ private:
+  // What all rays share.
+  void aim() {
+    const glm::dvec3 to_sun = map_.to_sun();
+    const glm::dvec2 line = glm::dvec2(to_sun) / glm::length(glm::dvec2(to_sun));
+    const glm::dvec2 rate = *terrain_.layers()[0].map->linear() * line;
+    const double rise = to_sun.z / glm::length(glm::dvec2(to_sun)) / terrain_.frame().z_scale;
+    climb_ = rise / std::max(std::abs(rate.x), std::abs(rate.y));
+    const auto metres = [](double posts_per_m) {
+      const double inverse = 1 / posts_per_m;
+      return static_cast<float>(std::isfinite(inverse) ? inverse : 0);
+    };
+    set_.rate_u.fill(static_cast<float>(rate.x));
+    set_.rate_v.fill(static_cast<float>(rate.y));
+    set_.metres_u.fill(metres(rate.x));
+    set_.metres_v.fill(metres(rate.y));
+    set_.rise.fill(static_cast<float>(rise));
+    set_.bend.fill(0);
+    set_.end.fill(std::numeric_limits<float>::infinity());
+    set_.g.fill(0);
+  }
+
+  void look_up(std::size_t point, std::size_t i) {
+    const std::int32_t light = points_.light[i];
+    const Sunlight known = light < 0 ? Sunlight::unknown : map_.at_byte(light);
+    if (known != Sunlight::unknown)
+      shaded_[point] = known == Sunlight::shaded ? 1 : 0;
+    else if (light < 0 || !can_march_)
+      ask(point);
+    else
+      wait(point, i);
+  }
+
+  void ask(std::size_t point) {
+    shaded_[point] = terrain_.occluded({points_m_[point], map_.to_sun()}, &counts_) ? 1 : 0;
+  }
+
+  void wait(std::size_t point, std::size_t i) {
+    if (set_.count == MarchSet::kMost) march_waiting();
+    const std::size_t slot = set_.count++;
+    const VerticalFrame& frame = terrain_.frame();
+    const double height = (points_m_[point].z + frame.eye_height_m) / frame.z_scale;
+    waiting_[slot] = point;
+    set_.index[slot] = static_cast<std::int32_t>(slot);
+    set_.column[slot] = set_.column0[slot] = points_.column[i];
+    set_.row[slot] = set_.row0[slot] = points_.row[i];
+    set_.u[slot] = static_cast<float>(points_.u[i]);
+    set_.v[slot] = static_cast<float>(points_.v[i]);
+    set_.height[slot] = static_cast<float>(height);
+    set_.slack[slot] = static_cast<float>(0x1p-20 * (std::abs(height) + climb_));
+    set_.g[slot] = 0;
+  }
+
+  void march_waiting() {
+    const std::size_t count = set_.count;
+    fates_.fill(March::on_its_way);
+    march(terrain_, &map_, set_, fates_, counts_);
+    for (std::size_t slot = 0; slot < count; ++slot) {
+      if (fates_[slot] == March::undecided)
+        ask(waiting_[slot]);
+      else
+        shaded_[waiting_[slot]] = fates_[slot] == March::stopped ? 1 : 0;
+    }
+    set_.count = 0;
+  }
+
+  const Terrain& terrain_;
+  const SunMap& map_;
+  std::span<const glm::dvec3> points_m_;
+  std::span<std::uint8_t> shaded_;
+  TraceCounts& counts_;
+  bool can_march_;
+  double climb_ = 0;  // over a post
+  GridPoints points_;
+  MarchSet set_;
+  std::array<std::size_t, MarchSet::kMost> waiting_;
+  std::array<March, MarchSet::kMost> fates_;
+};
+
+// Rays each of which has its own direction and track.
+void shaded_apart(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
+                  std::span<std::uint8_t> shaded, TraceCounts& counts) {
+  const TerrainLayer& layer = terrain.layers()[0];
+  std::vector<std::size_t> unknown;
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const glm::dvec2 uv = layer.map->to_grid(glm::dvec2(points_m[i]));
+    const Hit place{0, points_m[i], 0, cell_of(*layer.grid, uv), uv};
+    const Sunlight known = map.at(place);
+    shaded[i] = known == Sunlight::shaded ? 1 : 0;
+    if (known != Sunlight::unknown) continue;
+    unknown.push_back(i);
+    rays.push_back({points_m[i], direction_at(terrain.frame(), points_m[i], map.to_sun())});
+  }
+  std::vector<std::uint8_t> stopped(rays.size());
+  occluded(terrain, rays, stopped, counts, &map);
+  for (std::size_t i = 0; i < unknown.size(); ++i) shaded[unknown[i]] = stopped[i];
+}
+
+}  // namespace
+
+void shaded(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
+            std::span<std::uint8_t> shaded, TraceCounts& counts) {
+  if (terrain.frame().is_flat() && terrain.layers()[0].map->linear())
+    ParallelRays(terrain, map, points_m, shaded, counts).run();
+  else
+    shaded_apart(terrain, map, points_m, shaded, counts);
+}
+
+}  // namespace terrview
+#endif

@@ -1,0 +1,303 @@
+// The sweep of some strips, sixteen cells at a time. Included once for every instruction set.
+#if defined(TERRVIEW_TERRAIN_SUN_SWEEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TERRVIEW_TERRAIN_SUN_SWEEP_INL_H_
+#undef TERRVIEW_TERRAIN_SUN_SWEEP_INL_H_
+#else
+#define TERRVIEW_TERRAIN_SUN_SWEEP_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "terrain/sun_map.h"
+#include "terrain/sun_sweep.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace terrview {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Sweeps kSunStrips strips and those beside them.
+class StripSweep {
+ public:
+  StripSweep(const SunSweep& sweep, int first_strip)
+      : sweep_(sweep),
+        field_(sweep.field),
+        track_(sweep.field, first_strip),
+        track_after_(sweep.field, first_strip + kSunStrips) {
+    horizon_.fill(kInfinity);
+    wall_.fill(-kInfinity);
+    caster_.fill(-kInfinity);
+    edge_.fill(-kInfinity);
+    // Of the outermost strips nothing is known: cells beside them are not looked at.
+    std::fill_n(horizon_.begin() + kPad + kOutermost, kCells - 2 * kOutermost, -kInfinity);
+  }
+
+  void run() {
+    const int end = field_.lines() - 1;
+    for (int line = 0; line < end; line += kSunPanelLines) {
+      const int panel_end = std::min(line + kSunPanelLines, end);
+      if (load_panel(line, panel_end))
+        for (int y = line; y < panel_end; ++y) sweep_line(y);
+      track_.next_panel();
+      track_after_.next_panel();
+    }
+  }
+
+ private:
+  using F = hn::CappedTag<float, 16>;
+  using VF = hn::Vec<F>;
+  using MF = hn::Mask<F>;
+
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  static constexpr std::size_t kLanes = hn::MaxLanes(F());
+  static constexpr std::size_t kCells = kSunStrips + 16 + 2 * kSunHalo;
+  static constexpr std::size_t kPad = 16;
+  static constexpr std::size_t kOutermost = 8;
+  static constexpr std::size_t kPanelPosts = kCells + 2 * kSunPanelLines + kPad;
+  static_assert(kCells % 16 == 0);
+  // Rounding of the fall of a cell, as a share of its terms.
+  static constexpr float kRounding = 0x1p-20F;
+  // More than the rounding of a place on a line, in posts.
+  static constexpr double kPlace = 0x1p-10;
+
+  using Values = std::array<float, kCells + 2 * kPad>;
+
+  // Of values next to each other, from i + first to i + last.
+  struct Range {
+    int first, last;
+  };
+
+  static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
+  static HWY_INLINE VF get(const Values& values, std::size_t i, int step = 0) {
+    return hn::LoadU(F(), values.data() + static_cast<std::ptrdiff_t>(kPad + i) + step);
+  }
+  static HWY_INLINE void keep(Values& values, std::size_t i, VF value) {
+    hn::StoreU(value, F(), values.data() + kPad + i);
+  }
+  static HWY_INLINE VF highest(const Values& values, std::size_t i, const Range& range) {
+    VF result = get(values, i, range.first);
+    for (int step = range.first + 1; step <= range.last; ++step)
+      result = hn::Max(result, get(values, i, step));
+    return result;
+  }
+  static HWY_INLINE VF lowest(const Values& values, std::size_t i, const Range& range) {
+    VF result = get(values, i, range.first);
+    for (int step = range.first + 1; step <= range.last; ++step)
+      result = hn::Min(result, get(values, i, step));
+    return result;
+  }
+  static Range range_of(double first, double last) {
+    return {static_cast<int>(std::floor(first)), static_cast<int>(std::floor(last))};
+  }
+  // i + range holds k where k + this holds i.
+  static Range turned(const Range& range) { return {-range.last, -range.first}; }
+
+  // Copies the posts of some lines of cells; NaN where there are none. False: there are none.
+  bool load_panel(int line, int end) {
+    panel_line_ = line;
+    panel_x_ = std::min(track_.x(line), track_.x(end)) - kSunHalo;
+    const int width = static_cast<int>(kPanelPosts);
+    const int first = std::clamp(-panel_x_, 0, width);
+    const int last = std::clamp(field_.posts() - panel_x_, first, width);
+    if (first == last) return false;
+    for (int i = 0; i <= end - line; ++i) {
+      auto& posts = panel_[static_cast<std::size_t>(i)];
+      std::fill_n(posts.begin(), first, std::numeric_limits<float>::quiet_NaN());
+      std::fill(posts.begin() + last, posts.end(), std::numeric_limits<float>::quiet_NaN());
+    }
+    if (field_.over_rows())
+      copy_rows(line, end, {first, last});
+    else
+      copy_columns(line, end, {first, last});
+    return true;
+  }
+
+  void copy_rows(int line, int end, const Range& posts) {
+    const auto columns = static_cast<std::size_t>(field_.posts());
+    for (int i = 0; i <= end - line; ++i) {
+      const auto row = static_cast<std::size_t>(sweep_.post_line(line + i));
+      std::memcpy(panel_[static_cast<std::size_t>(i)].data() + posts.first,
+                  sweep_.grid.heights_m.data() + row * columns + (panel_x_ + posts.first),
+                  static_cast<std::size_t>(posts.last - posts.first) * sizeof(float));
+    }
+  }
+
+  void copy_columns(int line, int end, const Range& posts) {
+    const auto columns = static_cast<std::size_t>(field_.lines());
+    const int step = field_.from_last() ? -1 : 1;
+    for (int x = posts.first; x < posts.last; ++x) {
+      const float* post = sweep_.grid.heights_m.data() +
+                          static_cast<std::size_t>(panel_x_ + x) * columns + sweep_.post_line(line);
+      for (int i = 0; i <= end - line; ++i)
+        panel_[static_cast<std::size_t>(i)][static_cast<std::size_t>(x)] = post[i * step];
+    }
+  }
+
+  void sweep_line(int line) {
+    const SunRates& rates = track_.rates();
+    const double place = track_.place(line);
+    const double in_strip = place - std::floor(place);
+    const double astray = kPlace + rates.spread + field_.track_error() + strayed_;
+    const Range strips = range_of(in_strip + std::min(0.0, rates.drift) - astray,
+                                  in_strip + 1 + std::max(0.0, rates.drift) + astray);
+    const double turn = rates.spread + field_.track_error();
+    const Range beside{static_cast<int>(std::floor(std::min(0.0, rates.drift - turn))),
+                       static_cast<int>(std::ceil(std::max(0.0, rates.drift + turn)))};
+    look_at_cells(line);
+    light_cells(line, strips, beside);
+    pass_cells(turned(strips));
+    pass_edges(turned(range_of(in_strip - astray, in_strip + 1 + astray)));
+    strayed_ += rates.spread;
+    if (strayed_ > 0.5) widen();
+  }
+
+  // What the cells of a line do to rays, from their posts.
+  HWY_INLINE void look_at_cells(int line) {
+    const SunRates& rates = track_.rates();
+    const auto row = static_cast<std::size_t>(line - panel_line_);
+    const auto x = static_cast<std::size_t>(track_.x(line) - kSunHalo - panel_x_);
+    const float* north = panel_[row].data() + x;
+    const float* south = panel_[row + 1].data() + x;
+    const VF north_least = of(track_.rise_least(line));
+    const VF south_least = of(track_.rise_least(line + 1));
+    const VF north_most = of(track_.rise_most(line));
+    const VF south_most = of(track_.rise_most(line + 1));
+    const VF drift = of(-rates.drift);
+    const VF rise_anywhere = of(rates.rise_least * (1 - field_.track_turn()));
+    const VF turn = of(rates.spread + field_.track_turn());
+    const double slack = sweep_.slack + field_.blur() + field_.track_error() * rates.rise_most;
+    const VF lower = of(slack);
+    const VF lift = of(slack + sweep_.lift);
+    const VF none = of(-kInfinity);
+    for (std::size_t i = 0; i < kCells; i += kLanes) {
+      const VF rise = near_eye(line, i) ? none : rise_anywhere;
+      const VF nw = hn::LoadU(F(), north + i);
+      const VF ne = hn::LoadU(F(), north + i + 1);
+      const VF sw = hn::LoadU(F(), south + i);
+      const VF se = hn::LoadU(F(), south + i + 1);
+      const VF sum = (nw + ne) + (sw + se);
+      const MF ground = sum == sum;
+      const VF along_north = ne - nw;
+      const VF along_south = se - sw;
+      const VF down_west = sw - nw;
+      const VF down_east = se - ne;
+      const VF fall = hn::Min(drift * along_north, drift * along_south) +
+                      (hn::Min(down_west, down_east) + rise);
+      const VF along = hn::Abs(along_north) + hn::Abs(along_south);
+      const VF terms = along + (hn::Abs(down_west) + hn::Abs(down_east)) + rise;
+      const MF faces_sun = hn::And(ground, fall > of(kRounding) * terms + turn * along);
+      const VF low = hn::Min(hn::Min(nw, ne) + north_least, hn::Min(sw, se) + south_least);
+      VF top_north = hn::Max(nw, ne);
+      VF top_south = hn::Max(sw, se);
+      if (HWY_UNLIKELY(!hn::AllTrue(F(), ground))) {
+        top_north = hn::Max(height_or_none(nw), height_or_none(ne));
+        top_south = hn::Max(height_or_none(sw), height_or_none(se));
+      }
+      const VF top = hn::Max(top_north + north_least, top_south + south_least);
+      const VF high = hn::Max(top_north + north_most, top_south + south_most);
+      keep(caster_, i, hn::IfThenElse(faces_sun, none, top));
+      keep(low_, i, hn::IfThenElse(faces_sun, low - lower, none));
+      keep(high_, i, hn::IfThenElse(ground, high + lift, of(kInfinity)));
+      keep(edge_, i, hn::IfThenElse(ground, hn::Min(nw, ne) + north_most, none));
+    }
+    if (field_.is_linear()) clear_outside(line);
+  }
+
+  // Whether one of the cells from cell i is so near to the eye that none faces the sun for sure.
+  [[nodiscard]] bool near_eye(int line, std::size_t i) const {
+    const int x = track_.x(line) - kSunHalo + static_cast<int>(i);
+    return field_.is_near_eye({x, line}, {x + static_cast<int>(kLanes), line + 1});
+  }
+
+  static HWY_INLINE VF height_or_none(VF post) {
+    return hn::IfThenElse(post == post, post, of(-kInfinity));
+  }
+
+  // Straight tracks do not come back over the grid's border, onto ground that faces the sun.
+  void clear_outside(int line) {
+    const int cells = static_cast<int>(kCells);
+    const int x = track_.x(line) - kSunHalo;
+    const int first = std::clamp(-x, 0, cells);
+    const int end = std::clamp(field_.posts() - 1 - x, 0, cells);
+    std::fill_n(caster_.begin() + kPad, first, -kInfinity);
+    std::fill(caster_.begin() + kPad + end, caster_.end(), -kInfinity);
+  }
+
+  // Compares the cells of a line with the ground towards the sun: what was passed, and the cells
+  // beside them from which rays come over the line itself.
+  HWY_INLINE void light_cells(int line, const Range& strips, const Range& beside) {
+    const hn::RebindToSigned<F> ints;
+    const hn::Rebind<std::uint8_t, F> bytes;
+    const auto lit_code = hn::Set(ints, static_cast<std::int32_t>(Sunlight::lit));
+    const auto shaded_code = hn::Set(ints, static_cast<std::int32_t>(Sunlight::shaded));
+    for (std::size_t i = 0; i < kCells; i += kLanes) {
+      const VF horizon = hn::Max(highest(horizon_, i, strips), highest(caster_, i, beside));
+      const MF lit = get(low_, i) > horizon;
+      const MF shaded = get(high_, i) < lowest(wall_, i, strips);
+      const auto light =
+          hn::IfThenElse(hn::RebindMask(ints, lit), lit_code,
+                         hn::IfThenElseZero(hn::RebindMask(ints, shaded), shaded_code));
+      hn::StoreU(hn::DemoteTo(bytes, light), bytes, lights_.data() + i);
+    }
+    const int most = static_cast<int>(kCells) - 2 * kSunHalo;
+    const int first = std::max(track_.x(line), 0);
+    const int end = std::min({track_after_.x(line), track_.x(line) + most, field_.posts() - 1});
+    if (first < end)
+      std::memcpy(
+          sweep_.light +
+              static_cast<std::size_t>(line) * static_cast<std::size_t>(field_.posts() - 1) + first,
+          lights_.data() + (kSunHalo + first - track_.x(line)),
+          static_cast<std::size_t>(end - first));
+  }
+
+  // Raises the horizons of the strips over cells that do not face the sun.
+  HWY_INLINE void pass_cells(const Range& cells) {
+    for (std::size_t i = 0; i < kCells; i += kLanes)
+      keep(horizon_, i, hn::Max(get(horizon_, i), highest(caster_, i, cells)));
+  }
+
+  // Raises the walls across the strips that the edges on the line's side towards the sun span.
+  HWY_INLINE void pass_edges(const Range& edges) {
+    for (std::size_t i = 0; i < kCells; i += kLanes)
+      keep(wall_, i, hn::Max(get(wall_, i), lowest(edge_, i, edges)));
+  }
+
+  // Rays have strayed from the mean way: those of a strip may have come from the next.
+  void widen() {
+    const Values horizon = horizon_;
+    const Values wall = wall_;
+    for (std::size_t i = 0; i < kCells; i += kLanes) {
+      keep(horizon_, i, highest(horizon, i, {-1, 1}));
+      keep(wall_, i, lowest(wall, i, {-1, 1}));
+    }
+    strayed_ = 0;
+  }
+
+  const SunSweep& sweep_;
+  const SunField& field_;
+  StripTrack track_;
+  StripTrack track_after_;
+  double strayed_ = 0;  // how far rays may have strayed from their strips, in posts
+  int panel_line_ = 0;
+  int panel_x_ = 0;
+  // By strip, the first kSunHalo before those of track_.
+  alignas(64) Values horizon_, wall_;
+  // By cell of the line, cell i where strip i begins.
+  alignas(64) Values caster_, low_, high_, edge_;
+  alignas(64) std::array<std::uint8_t, kCells> lights_;
+  alignas(64) std::array<std::array<float, kPanelPosts>, kSunPanelLines + 1> panel_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace terrview
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,303 @@
+#include "terrain/sun_shadow.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "terrain/occlusion.h"
+#include "terrain/sun_map.h"
+#include "terrain/view_transform.h"
+#include "tests/support/instruction_sets.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/scenes.h"
+
+namespace terrview {
+namespace {
+
+constexpr double kEarth_per_m = 1 / 6.37e6;
+
+struct Seen {
+  int suns = 0;  // that have a map
+  int lit = 0, shaded = 0, unknown = 0;
+};
+
+glm::dvec3 sun_at(double azimuth_rad, double elevation_rad) {
+  return {std::cos(elevation_rad) * std::sin(azimuth_rad),
+          std::cos(elevation_rad) * std::cos(azimuth_rad), std::sin(elevation_rad)};
+}
+
+// Along grid lines and diagonals too.
+glm::dvec3 random_sun(Random& random) {
+  const double azimuth_rad =
+      random.chance(0.3) ? random.integer(0, 7) * std::acos(-1) / 4 : random.uniform(0, 6.3);
+  return sun_at(azimuth_rad, random.log_uniform(1e-3, 1.5));
+}
+
+// Where rays from above meet the ground.
+std::vector<Hit> ground_under(const Terrain& terrain, Random& random, int count) {
+  std::vector<Hit> hits;
+  const double reach_m = terrain.reach_m();
+  for (int i = 0; i < 20 * count && static_cast<int>(hits.size()) < count; ++i) {
+    const glm::dvec2 at(random.uniform(-reach_m, reach_m), random.uniform(-reach_m, reach_m));
+    const auto ground = terrain.ground_at(at);
+    if (!ground) continue;
+    const double z_m = terrain.frame().at(at).z_m(ground->scene_height_m);
+    hits.push_back({0, {at, z_m}, ground->grid, ground->cell, ground->uv});
+  }
+  return hits;
+}
+
+void expect_shadows_of_single_rays(const Terrain& terrain, const glm::dvec3& to_sun,
+                                   const std::vector<Hit>& hits, Seen& seen) {
+  const auto map = SunMap::make(terrain, to_sun, terrain.most_lift_m());
+  if (!map) return;
+  ++seen.suns;
+  std::vector<glm::dvec3> points_m;
+  for (const Hit& hit : hits)
+    points_m.push_back(
+        terrain.leave(hit, direction_at(terrain.frame(), hit.position_m, to_sun)).origin_m);
+  std::vector<std::uint8_t> stopped(points_m.size());
+  TraceCounts counts;
+  shaded(terrain, *map, points_m, stopped, counts);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const Ray ray{points_m[i], direction_at(terrain.frame(), points_m[i], to_sun)};
+    const bool expected = terrain.occluded(ray);
+    EXPECT_EQ(stopped[i] != 0, expected)
+        << "at " << hits[i].uv.x << ", " << hits[i].uv.y << " of "
+        << terrain.layers()[0].grid->columns << " x " << terrain.layers()[0].grid->rows;
+    const Sunlight known = map->at(hits[i]);
+    if (known == Sunlight::unknown)
+      ++seen.unknown;
+    else
+      EXPECT_EQ(known == Sunlight::shaded, expected);
+    seen.lit += known == Sunlight::lit ? 1 : 0;
+    seen.shaded += known == Sunlight::shaded ? 1 : 0;
+  }
+}
+
+Seen expect_shadows(std::uint64_t seed, const std::function<Terrain(Random&)>& make) {
+  Random random(seed);
+  Seen seen;
+  for (int i = 0; i < 300; ++i) {
+    const Terrain terrain = make(random);
+    const std::vector<Hit> hits = ground_under(terrain, random, 200);
+    for (int j = 0; j < 4; ++j)
+      expect_shadows_of_single_rays(terrain, random_sun(random), hits, seen);
+    if (testing::Test::HasFailure()) {
+      ADD_FAILURE() << "seed " << seed << ", terrain " << i;
+      break;
+    }
+  }
+  return seen;
+}
+
+TEST(SunShadow, IsThatOfSingleRays) {
+  for (const SurfaceModel model : kSurfaceModels) {
+    const Seen seen = expect_shadows(
+        1, [&](Random& random) { return random_terrain(random, model, Position::general); });
+    if (model == SurfaceModel::band) {
+      EXPECT_EQ(seen.suns, 0);
+      continue;
+    }
+    EXPECT_GT(seen.suns, 200);
+    EXPECT_GT(seen.lit, 10000);
+    EXPECT_GT(seen.shaded, 1000);
+    EXPECT_GT(seen.unknown, 1000);
+  }
+}
+
+TEST(SunShadow, IsSoWhereGridLinesAndPostsLieUnderTheEye) {
+  const Seen seen = expect_shadows(2, [](Random& random) {
+    return random_terrain(random, SurfaceModel::hyperboloid, Position::special);
+  });
+  EXPECT_GT(seen.lit, 10000);
+  EXPECT_GT(seen.shaded, 1000);
+}
+
+TEST(SunShadow, IsSoOnBentTracks) {
+  const Seen parabolas = expect_shadows(3, [](Random& random) {
+    return random_parabolic_terrain(random, SurfaceModel::hyperboloid);
+  });
+  EXPECT_GT(parabolas.suns, 100);
+  EXPECT_GT(parabolas.lit, 1000);
+  expect_shadows(
+      4, [](Random& random) { return random_bent_terrain(random, SurfaceModel::hyperboloid); });
+}
+
+// Hills of 200 m, posts 30 m apart.
+Terrain wide_hills(int posts, const VerticalFrame& frame, double voids = 0) {
+  Random random(8);
+  const auto height_m = [&](int column, int row) {
+    if (random.chance(voids)) return std::nan("");
+    return 300 + 100 * (std::sin(column * 0.07) + std::cos(row * 0.05 + 0.02 * column)) +
+           std::sin(column * 0.9 + row * 1.3) + random.uniform(0, 2);
+  };
+  const Place place{.eye_uv = {posts * 0.4, posts * 0.7}, .spacing_m = {30, 30}};
+  return Terrain({make_layer(make_grid(posts, posts, height_m), place)}, frame,
+                 SurfaceModel::hyperboloid);
+}
+
+// More strips and panels of lines than one.
+TEST(SunShadow, IsSoOverManyStripsInEveryDirection) {
+  Random random(5);
+  Seen seen;
+  for (const double voids : {0.0, 0.01}) {
+    const Terrain terrain = wide_hills(1100, {.eye_height_m = 500}, voids);
+    for (int eighth = 0; eighth < 8; ++eighth)
+      for (const double off_rad : {0.0, 0.3})
+        expect_shadows_of_single_rays(terrain, sun_at(eighth * std::acos(-1) / 4 + off_rad, 0.2),
+                                      ground_under(terrain, random, 3000), seen);
+  }
+  EXPECT_EQ(seen.suns, 32);
+  EXPECT_GT(seen.lit, 3 * seen.unknown);
+  EXPECT_GT(seen.shaded, seen.unknown / 10);
+}
+
+TEST(SunShadow, IsSoFarAwayOnACurvedEarth) {
+  Random random(6);
+  Seen seen;
+  for (const double refraction : {0.0, 0.13, 0.9}) {
+    const Terrain terrain = wide_hills(1100, {.eye_height_m = 500,
+                                              .north_curvature_per_m = 1.003 * kEarth_per_m,
+                                              .east_curvature_per_m = 0.997 * kEarth_per_m,
+                                              .refraction = refraction});
+    for (const double elevation_rad : {0.03, 0.1, 0.35, 1.2})
+      expect_shadows_of_single_rays(terrain, sun_at(random.uniform(0, 6.3), elevation_rad),
+                                    ground_under(terrain, random, 3000), seen);
+  }
+  EXPECT_EQ(seen.suns, 12);
+  EXPECT_GT(seen.lit, 2 * seen.unknown);
+  EXPECT_GT(seen.shaded, 100);
+}
+
+TEST(SunShadow, IsSoUnderEveryInstructionSetWithTheSameMap) {
+  Random random(7);
+  const Terrain terrain = wide_hills(700, {.eye_height_m = 500}, 0.001);
+  const glm::dvec3 to_sun = sun_at(2, 0.1);
+  const std::vector<Hit> hits = ground_under(terrain, random, 3000);
+  std::vector<std::vector<std::uint32_t>> maps;
+  under_every_instruction_set([&] {
+    Seen seen;
+    expect_shadows_of_single_rays(terrain, to_sun, hits, seen);
+    EXPECT_GT(seen.lit, 1000);
+    const auto map = SunMap::make(terrain, to_sun, 0);
+    maps.emplace_back(map->words(), map->words() + map->bytes() / sizeof(std::uint32_t));
+  });
+  for (const auto& map : maps) EXPECT_EQ(map, maps[0]);
+}
+
+TEST(SunShadow, HasTheSameMapInWhateverOrderItsPartsAreMade) {
+  const Terrain terrain = wide_hills(1100, {.eye_height_m = 500});
+  const glm::dvec3 to_sun = sun_at(4, 0.2);
+  const auto backwards = [](int count, const std::function<void(int)>& work) {
+    for (int i = count; i-- > 0;) work(i);
+  };
+  const auto map = SunMap::make(terrain, to_sun, 0);
+  const auto other = SunMap::make(terrain, to_sun, 0, backwards);
+  ASSERT_EQ(map->bytes(), other->bytes());
+  EXPECT_TRUE(std::equal(map->words(), map->words() + map->bytes() / 4, other->words()));
+}
+
+// One post in a plain, walls, steps, a checkerboard, all in several units.
+TEST(SunShadow, IsSoOnHardGround) {
+  constexpr int kPosts = 60;
+  const std::vector<std::function<double(int, int)>> grounds{
+      [](int, int) { return 100.0; },
+      [](int column, int row) { return column == 30 && row == 31 ? 1.0 : 0.0; },
+      [](int column, int) { return column % 7 == 0 ? 3.0 : 0.0; },
+      [](int column, int row) { return std::floor((column + row) / 9.0); },
+      [](int column, int row) { return (column + row) % 2; },
+      [](int column, int row) { return column > 25 && column < 35 && row > 20 && row < 33; },
+      [](int column, int row) { return column > 25 && row > 20 ? std::nan("") : column * 0.01; }};
+  Random random(9);
+  Seen seen;
+  for (const auto& ground : grounds) {
+    for (const double unit_m : {1e-3, 1.0, 1e4, 1e30}) {
+      for (const double spacing_m : {0.01, 30.0, 1000.0}) {
+        const auto height_m = [&](int column, int row) { return unit_m * ground(column, row); };
+        const Terrain terrain =
+            make_terrain(make_grid(kPosts, kPosts, height_m),
+                         {.eye_uv = {1e5, 3e5}, .spacing_m = {spacing_m, 0.7 * spacing_m}},
+                         SurfaceModel::hyperboloid);
+        Random places(10);
+        std::vector<Hit> hits;
+        const auto [j, grid] = std::pair(*terrain.layers()[0].map->linear(), kPosts - 1);
+        while (hits.size() < 200) {
+          const glm::dvec2 uv(places.uniform(0, grid), places.uniform(0, grid));
+          const glm::dvec2 at_m = glm::inverse(j) * (uv - terrain.layers()[0].map->to_grid({0, 0}));
+          const auto here = terrain.ground_at(at_m);
+          if (here) hits.push_back({0, {at_m, here->scene_height_m}, 0, here->cell, here->uv});
+        }
+        for (int i = 0; i < 6; ++i)
+          expect_shadows_of_single_rays(terrain, random_sun(random), hits, seen);
+      }
+    }
+  }
+  EXPECT_GT(seen.lit, 10000);
+  EXPECT_GT(seen.shaded, 100);
+}
+
+TEST(SunShadow, KnowsThatAllOfAPlainIsLit) {
+  const Terrain terrain =
+      make_terrain(make_grid(50, 40, [](int, int) { return 7; }), {}, SurfaceModel::hyperboloid);
+  const auto map = SunMap::make(terrain, sun_at(1, 0.01), 0);
+  ASSERT_TRUE(map);
+  for (int row = 0; row < 39; ++row)
+    for (int column = 0; column < 49; ++column)
+      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::lit) << column << ", " << row;
+}
+
+// A wall of 10 m across the sun's way, which rises by a metre over a post.
+TEST(SunShadow, KnowsTheShadowOfAWall) {
+  const auto height_m = [](int, int row) { return row == 30 ? 10 : 0; };
+  const Terrain terrain =
+      make_terrain(make_grid(50, 50, height_m), {.spacing_m = {1, 1}}, SurfaceModel::hyperboloid);
+  const auto map = SunMap::make(terrain, sun_at(0, std::atan(1.0)), 0);  // in the north
+  ASSERT_TRUE(map);
+  for (int column = 2; column < 47; ++column) {
+    for (int row = 0; row < 28; ++row)
+      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::lit) << column << ", " << row;
+    for (int row = 31; row < 39; ++row)
+      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::shaded) << column << ", " << row;
+    for (int row = 41; row < 49; ++row)
+      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::lit) << column << ", " << row;
+  }
+}
+
+TEST(SunShadow, HasNoMapForASunBelowTheGroundOrInTheZenith) {
+  const Terrain terrain =
+      make_terrain(make_grid(5, 5, [](int, int) { return 0; }), {}, SurfaceModel::hyperboloid);
+  EXPECT_FALSE(SunMap::make(terrain, sun_at(1, -0.1), 0));
+  EXPECT_FALSE(SunMap::make(terrain, sun_at(1, 0), 0));
+  EXPECT_FALSE(SunMap::make(terrain, {0, 0, 1}, 0));
+  EXPECT_TRUE(SunMap::make(terrain, sun_at(1, 0.1), 0));
+}
+
+TEST(SunShadow, CostsAFractionOfTheWorkWithoutAMap) {
+  Random random(12);
+  const Terrain terrain = wide_hills(500, {.eye_height_m = 500});
+  const glm::dvec3 to_sun = sun_at(2, 0.35);
+  const auto map = SunMap::make(terrain, to_sun, terrain.most_lift_m());
+  std::vector<Ray> rays;
+  std::vector<glm::dvec3> points_m;
+  for (const Hit& hit : ground_under(terrain, random, 5000)) {
+    rays.push_back(terrain.leave(hit, to_sun));
+    points_m.push_back(rays.back().origin_m);
+  }
+  std::vector<std::uint8_t> stopped(rays.size());
+  TraceCounts marched;
+  occluded(terrain, rays, stopped, marched);
+  TraceCounts looked_up;
+  shaded(terrain, *map, points_m, stopped, looked_up);
+  EXPECT_LT(4 * (looked_up.tests + looked_up.nodes), marched.tests + marched.nodes);
+}
+
+}  // namespace
+}  // namespace terrview
