@@ -23,6 +23,7 @@ double lift_m(const glm::dvec3& position_m) {
 
 Hit point_at(const glm::dvec3& position_m) {
   Hit hit{};
+  hit.grid = kOffGround;
   hit.position_m = position_m;
   return hit;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "render/parallel.h"
 #include "render/sampling.h"
 #include "render/shade.h"
+#include "render/shadows.h"
 #include "render/water.h"
 #include "terrain/grid_walk.h"
 #include "terrain/mean_heights.h"
@@ -174,7 +176,9 @@ class PlanPicture {
 }  // namespace
 
 PlanFrame render_plan(const Scene& scene, const PlanLattice& lattice, const PlanOptions& options) {
-  PlanPicture picture(scene, lattice, options);
+  const std::int64_t pixels = std::int64_t{lattice.size_px.x} * lattice.size_px.y;
+  const Scene lit = with_sun_map(scene, pixels, options.threads);
+  PlanPicture picture(lit, lattice, options);
   std::vector<RenderCounts> rows(static_cast<std::size_t>(lattice.size_px.y));
   std::atomic<int> done{0};
   parallel_for(lattice.size_px.y, options.threads, [&](int row) {

@@ -1,5 +1,6 @@
 #include "render/render.h"
 
+#include <cstdint>
 #include <utility>
 
 #include "render/antialias.h"
@@ -8,6 +9,7 @@
 #include "render/picture_margin.h"
 #include "render/refine.h"
 #include "render/sampling.h"
+#include "render/shadows.h"
 
 namespace terrview {
 namespace {
@@ -199,14 +201,16 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
 Frame render(const Scene& scene, const Camera& camera, const RenderOptions& options) {
   const PixelRect margin = margin_of(scene, camera, options);
   const glm::ivec2 size_px = camera.options().size_px;
-  if (margin == PixelRect{{0, 0}, size_px}) return Picture(scene, camera, options).render();
+  const std::int64_t pixels = std::int64_t{size_px.x} * size_px.y;
+  const Scene lit = with_sun_map(scene, pixels, options.threads);
+  if (margin == PixelRect{{0, 0}, size_px}) return Picture(lit, camera, options).render();
   const Camera wider = camera.part(margin);
   RenderOptions for_wider = options;
   if (options.improved)
     for_wider.improved = [&](const Image& image) {
       options.improved(without_margin(image, margin, size_px));
     };
-  Frame frame = Picture(scene, wider, for_wider).render();
+  Frame frame = Picture(lit, wider, for_wider).render();
   frame.image = without_margin(frame.image, margin, size_px);
   frame.samples = without_margin(frame.samples, margin, size_px);
   return frame;

@@ -53,6 +53,7 @@ enum class NormalKind { smooth, facet };
 
 class Drape;
 class PaintedSky;
+class SunMap;
 struct SceneObjects;
 struct Water;
 
@@ -67,6 +68,7 @@ struct Scene {
   // How much of the sky each layer's posts see, which dims the ambient light; none: all of it.
   std::shared_ptr<const std::vector<SkyView>> sky_views;
   Light light;
+  std::shared_ptr<const SunMap> sun_map = {};  // of the terrain and the sun; none: rays tell
   std::vector<Lamp> lamps = {};
   SkyGradient sky;
   std::shared_ptr<const SceneObjects> objects;    // none: the ground alone

@@ -115,6 +115,7 @@ Hit lit_point(const RayHits& hits, std::size_t i) {
   if (!hits.meets_object(i)) return *hits.ground[i];
   const SurfaceHit& surface = hits.objects[i]->surface;
   Hit point{};
+  point.grid = kOffGround;
   point.position_m = off_surface(surface.position_m, surface.normal);
   return point;
 }

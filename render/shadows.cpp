@@ -5,7 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "render/objects/scene_objects.h"
+#include "render/parallel.h"
 #include "terrain/occlusion.h"
+#include "terrain/sun_map.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
@@ -14,6 +16,11 @@ namespace {
 constexpr int kStrips = 4;
 constexpr int kHalvings = 5;
 constexpr int kObjectRays = 8;  // a strip
+
+// Cells of a sun map that are made while a point finds its shadow without one: where all rays are
+// parallel, and where tracks bend (docs/decisions/shadow-rays.md).
+constexpr double kCellsAPoint = 15;
+constexpr double kCellsABentPoint = 60;
 
 // Directions of the sun's disc.
 class SunDisc {
@@ -48,17 +55,29 @@ class SunDisc {
 // Rays from points towards parts of the sun, all sent at once.
 class SunRays {
  public:
-  SunRays(const ShadowCasters& casters, std::span<const Hit> points, ShadowCounts& counts)
-      : casters_(casters), points_(points), counts_(counts) {}
+  // `map`: of the sun towards which all the rays go, or null.
+  SunRays(const ShadowCasters& casters, const SunMap* map, std::span<const Hit> points,
+          ShadowCounts& counts)
+      : casters_(casters), map_(map), points_(points), counts_(counts) {}
 
   void add(std::size_t point, const glm::dvec3& true_direction) {
     rays_.push_back(ray(point, true_direction));
   }
 
+  // What the map knows of a point on the ground.
+  [[nodiscard]] Sunlight look_up(std::size_t point) {
+    if (!map_ || points_[point].grid == kOffGround) return Sunlight::unknown;
+    const Sunlight known = map_->at(casters_.terrain, points_[point]);
+    counts_.rays += known == Sunlight::unknown ? 0 : 1;
+    return known;
+  }
+
   // Whether the ground stops them, in the order of add(), after which none is left.
   std::vector<std::uint8_t> send() {
     counts_.rays += static_cast<std::int64_t>(rays_.size());
-    std::vector<std::uint8_t> answers = stopped(casters_.terrain, rays_);
+    std::vector<std::uint8_t> answers(rays_.size());
+    TraceCounts counts;
+    occluded(casters_.terrain, rays_, answers, counts, map_);
     rays_.clear();
     return answers;
   }
@@ -90,6 +109,7 @@ class SunRays {
   }
 
   const ShadowCasters& casters_;
+  const SunMap* map_;
   std::span<const Hit> points_;
   ShadowCounts& counts_;
   std::vector<Ray> rays_;
@@ -143,12 +163,56 @@ void add_strip(const SunDisc& disc, int strip, SunRays& rays, std::span<float> s
   }
 }
 
+// Adds the share of the sun's disc that each point sees.
+void add_disc(const Light& light, SunRays& rays, std::span<float> shares) {
+  const SunDisc disc(light);
+  double area = 0;
+  for (int strip = 0; strip < kStrips; ++strip) area += SunDisc::half_height(strip);
+  for (int strip = 0; strip < kStrips; ++strip)
+    add_strip(disc, strip, rays, shares, static_cast<float>(SunDisc::half_height(strip) / area));
+}
+
+// A sun without width: what the map knows, and a ray for every other point.
+void add_point(const Light& light, SunRays& rays, std::span<float> shares) {
+  std::vector<std::size_t> asked;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Sunlight known = rays.look_up(i);
+    shares[i] = known == Sunlight::shaded ? 0 : 1;
+    if (known != Sunlight::unknown) continue;
+    asked.push_back(i);
+    rays.add(i, light.towards_sun);
+  }
+  const std::vector<std::uint8_t> hidden = rays.send();
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (hidden[i]) shares[asked[i]] = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (shares[i] > 0 && rays.meets_object(i, light.towards_sun)) shares[i] = 0;
+}
+
 }  // namespace
 
 ShadowCasters shadow_casters(const Scene& scene) {
-  if (!scene.objects) return {*scene.terrain};
+  if (!scene.objects) return {*scene.terrain, nullptr, scene.sun_map.get()};
   const SceneObjects& objects = *scene.objects;
-  return {*scene.terrain, (objects.casters ? objects.casters : objects.set).get()};
+  return {*scene.terrain, (objects.casters ? objects.casters : objects.set).get(),
+          scene.sun_map.get()};
+}
+
+Scene with_sun_map(const Scene& scene, std::int64_t points, int threads) {
+  const Terrain& terrain = *scene.terrain;
+  if (!scene.light.casts_shadows || scene.light.sun_radius_rad > 0 || scene.sun_map ||
+      !terrain.skips_blocks() || terrain.layers().size() != 1)
+    return scene;
+  const TerrainLayer& layer = terrain.layers()[0];
+  const bool parallel = terrain.frame().is_flat() && layer.map->linear();
+  const double cells = static_cast<double>(layer.grid->columns) * layer.grid->rows;
+  if (static_cast<double>(points) * (parallel ? kCellsAPoint : kCellsABentPoint) < cells)
+    return scene;
+  Scene lit = scene;
+  lit.sun_map = SunMap::make(
+      terrain, scene.light.towards_sun, terrain.most_lift_m(),
+      [&](int count, const std::function<void(int)>& work) { parallel_for(count, threads, work); });
+  return lit;
 }
 
 std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> rays) {
@@ -161,19 +225,13 @@ std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> r
 std::vector<float> sun_shares(const ShadowCasters& casters, const Light& light,
                               std::span<const Hit> points, ShadowCounts& counts) {
   std::vector<float> shares(points.size(), 0);
-  SunRays rays(casters, points, counts);
-  if (light.sun_radius_rad > 0) {
-    const SunDisc disc(light);
-    double area = 0;
-    for (int strip = 0; strip < kStrips; ++strip) area += SunDisc::half_height(strip);
-    for (int strip = 0; strip < kStrips; ++strip)
-      add_strip(disc, strip, rays, shares, static_cast<float>(SunDisc::half_height(strip) / area));
-  } else {
-    for (std::size_t i = 0; i < points.size(); ++i) rays.add(i, light.towards_sun);
-    const std::vector<std::uint8_t> hidden = rays.send();
-    for (std::size_t i = 0; i < points.size(); ++i)
-      shares[i] = hidden[i] || rays.meets_object(i, light.towards_sun) ? 0.0F : 1.0F;
-  }
+  const bool has_disc = light.sun_radius_rad > 0;
+  const SunMap* map = has_disc ? nullptr : casters.sun_map;
+  SunRays rays(casters, map, points, counts);
+  if (has_disc)
+    add_disc(light, rays, shares);
+  else
+    add_point(light, rays, shares);
   return shares;
 }
 

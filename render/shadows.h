@@ -13,15 +13,22 @@ namespace terrview {
 // Half of the sun's apparent width, 0.533 degrees.
 inline constexpr double kSunRadius_rad = 0.00465;
 
+inline constexpr int kOffGround = -1;
+
 // What throws shadows.
 struct ShadowCasters {
   const Terrain& terrain;
   const ObjectSet* objects = nullptr;  // none: the ground alone
+  const SunMap* sun_map = nullptr;     // none: rays tell what the ground hides
 };
 [[nodiscard]] ShadowCasters shadow_casters(const Scene& scene);
 
+// `scene` with a map of the cells that its sun shines on, where that is made sooner than so many
+// points find their shadows without; else `scene` itself. Pictures are the same.
+[[nodiscard]] Scene with_sun_map(const Scene& scene, std::int64_t points, int threads);
+
 struct ShadowCounts {
-  std::int64_t rays = 0;
+  std::int64_t rays = 0;  // or look-ups in a map
   ObjectCounts objects;
 };
 
@@ -34,7 +41,8 @@ struct ShadowCounts {
 // of that of every point of the disc (tests/render/shadows_test.cpp). Objects may hide any part of
 // the strip above: eight rays tell how much. Adds to `counts`.
 //
-// Of the points, only where they are matters: they may be those of objects, lifted off them.
+// Points that are not on the ground, as those of objects, lifted off them, have the grid kOffGround;
+// of these only the position counts.
 [[nodiscard]] std::vector<float> sun_shares(const ShadowCasters& casters, const Light& light,
                                             std::span<const Hit> points, ShadowCounts& counts);
 

@@ -8,7 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
+
+#include <glm/common.hpp>
 
 #include "terrain/sun_map.h"
 #include "terrain/sun_sweep-inl.h"
@@ -37,6 +38,10 @@ namespace {
 // Of all numbers from which heights along rays come: more than their rounding, and more than that
 // of a ray's clearance in double precision.
 constexpr double kSlack = 0x1p-20;
+
+bool is_inside(glm::dvec2 in_cell, double border) {
+  return std::min(in_cell.x, in_cell.y) > border && std::max(in_cell.x, in_cell.y) < 1 - border;
+}
 
 // The strips over a grid, from the first to before the last.
 struct StripSpan {
@@ -74,9 +79,11 @@ std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dv
   return map;
 }
 
-SunMap::SunMap(const SunField& field, const glm::dvec3& to_sun) : to_sun_(to_sun) {
+SunMap::SunMap(const SunField& field, const glm::dvec3& to_sun)
+    : to_sun_(to_sun), hit_error_(field.track_error()) {
   const int cells_x = field.posts() - 1;
   const int cells_y = field.lines() - 1;
+  cells_ = field.over_rows() ? glm::ivec2(cells_x, cells_y) : glm::ivec2(cells_y, cells_x);
   const int step = field.from_last() ? -cells_x : cells_x;
   place_.first = field.from_last() ? (cells_y - 1) * cells_x : 0;
   place_.per_column = field.over_rows() ? 1 : step;
@@ -84,6 +91,20 @@ SunMap::SunMap(const SunField& field, const glm::dvec3& to_sun) : to_sun_(to_sun
   const std::size_t cells = static_cast<std::size_t>(cells_x) * static_cast<std::size_t>(cells_y);
   size_words_ = (cells + sizeof(std::uint32_t) - 1) / sizeof(std::uint32_t);
   words_ = std::make_unique<std::uint32_t[]>(size_words_);
+}
+
+Sunlight SunMap::at(glm::dvec2 uv) const {
+  const glm::dvec2 cell = glm::floor(uv);
+  const bool over_grid = cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y;
+  return over_grid && is_inside(uv - cell, kBorder) ? at(glm::ivec2(cell)) : Sunlight::unknown;
+}
+
+Sunlight SunMap::at(const Terrain& terrain, const Hit& hit) const {
+  if (is_inside(hit.uv - glm::dvec2(hit.cell), kBorder + hit_error_)) return at(hit.cell);
+  if (hit_error_ == 0) return Sunlight::unknown;
+  const Sunlight light = at(terrain.layers()[0].map->to_grid(glm::dvec2(hit.position_m)));
+  // The hit may lie as high as the ground of the other cell.
+  return light == Sunlight::shaded && at(hit.cell) != light ? Sunlight::unknown : light;
 }
 
 void SunMap::sweep(const Terrain& terrain, const SunField& field, double lift_m,

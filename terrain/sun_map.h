@@ -17,7 +17,6 @@
 // is that of relief shading, made conservative.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -55,13 +54,12 @@ class SunMap {
     return at_byte(place_.first + place_.per_column * cell.x + place_.per_row * cell.y);
   }
 
-  // Of where a ray meets the ground.
-  [[nodiscard]] Sunlight at(const Hit& hit) const {
-    const glm::dvec2 in_cell = hit.uv - glm::dvec2(hit.cell);
-    const bool inside =
-        std::min(in_cell.x, in_cell.y) > kBorder && std::max(in_cell.x, in_cell.y) < 1 - kBorder;
-    return inside ? at(hit.cell) : Sunlight::unknown;
-  }
+  // Of the point at which Terrain::leave() begins a ray from `hit`, where a ray met the ground of
+  // `terrain`, the map's.
+  [[nodiscard]] Sunlight at(const Terrain& terrain, const Hit& hit) const;
+
+  // Of a place of the grid, in posts: unknown next to the border of its cell, and beyond the grid.
+  [[nodiscard]] Sunlight at(glm::dvec2 uv) const;
 
   // Nearer than this to the border of its cell, in posts, a point's cell is not sure.
   static constexpr double kBorder = 0x1p-18;
@@ -85,6 +83,8 @@ class SunMap {
   void sweep(const Terrain& terrain, const SunField& field, double lift_m, const ForEach& for_each);
 
   glm::dvec3 to_sun_;
+  glm::ivec2 cells_;
+  double hit_error_;  // how far a hit's place may be from that of its position, in posts
   Place place_{};
   std::size_t size_words_ = 0;
   std::unique_ptr<std::uint32_t[]> words_;

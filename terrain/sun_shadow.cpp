@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "terrain/grid_points.h"
-#include "terrain/grid_walk.h"
 #include "terrain/march.h"
 #include "terrain/march_set.h"
 #include "terrain/occlusion.h"
@@ -183,9 +182,7 @@ void shaded_apart(const Terrain& terrain, const SunMap& map, std::span<const glm
   std::vector<std::size_t> unknown;
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < points_m.size(); ++i) {
-    const glm::dvec2 uv = layer.map->to_grid(glm::dvec2(points_m[i]));
-    const Hit place{0, points_m[i], 0, cell_of(*layer.grid, uv), uv};
-    const Sunlight known = map.at(place);
+    const Sunlight known = map.at(layer.map->to_grid(glm::dvec2(points_m[i])));
     shaded[i] = known == Sunlight::shaded ? 1 : 0;
     if (known != Sunlight::unknown) continue;
     unknown.push_back(i);

@@ -40,7 +40,19 @@ glm::dvec3 random_sun(Random& random) {
   return sun_at(azimuth_rad, random.log_uniform(1e-3, 1.5));
 }
 
-// Where rays from above meet the ground.
+// What an eye at `from_m` sees, by polylines where tracks bend.
+std::vector<Hit> ground_seen(const Terrain& terrain, Random& random, const glm::dvec3& from_m) {
+  std::vector<Hit> hits;
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 down(random.uniform(-1, 1), random.uniform(-1, 1),
+                          -random.log_uniform(0.01, 1));
+    const auto hit = terrain.first_hit({.origin_m = from_m, .direction = down});
+    if (hit) hits.push_back(*hit);
+  }
+  return hits;
+}
+
+// Places all over the ground.
 std::vector<Hit> ground_under(const Terrain& terrain, Random& random, int count) {
   std::vector<Hit> hits;
   const double reach_m = terrain.reach_m();
@@ -72,7 +84,7 @@ void expect_shadows_of_single_rays(const Terrain& terrain, const glm::dvec3& to_
     EXPECT_EQ(stopped[i] != 0, expected)
         << "at " << hits[i].uv.x << ", " << hits[i].uv.y << " of "
         << terrain.layers()[0].grid->columns << " x " << terrain.layers()[0].grid->rows;
-    const Sunlight known = map->at(hits[i]);
+    const Sunlight known = map->at(terrain, hits[i]);
     if (known == Sunlight::unknown)
       ++seen.unknown;
     else
@@ -87,7 +99,9 @@ Seen expect_shadows(std::uint64_t seed, const std::function<Terrain(Random&)>& m
   Seen seen;
   for (int i = 0; i < 300; ++i) {
     const Terrain terrain = make(random);
-    const std::vector<Hit> hits = ground_under(terrain, random, 200);
+    std::vector<Hit> hits = ground_under(terrain, random, 200);
+    const glm::dvec3 above_m(0, 0, terrain.ceiling_m() + 0.1 * terrain.reach_m());
+    for (const Hit& hit : ground_seen(terrain, random, above_m)) hits.push_back(hit);
     for (int j = 0; j < 4; ++j)
       expect_shadows_of_single_rays(terrain, random_sun(random), hits, seen);
     if (testing::Test::HasFailure()) {
