@@ -25,7 +25,7 @@ struct FrameWork {
 };
 
 // A contender with the eye of one view: what is timed. It makes the rays, traces them and writes
-// the frame. `shadow` is empty where the contender traces none.
+// the frame. Either is empty where the contender traces none.
 struct ViewTracer {
   std::function<FrameWork(int threads, TracedFrame&)> primary;
   std::function<FrameWork(const ShadowRays&, int threads, ShadowFrame&)> shadow;
@@ -56,6 +56,11 @@ using IsWanted = std::function<bool(const std::string& contender)>;
 inline constexpr const char* kDefaultWay = "terrview";
 inline constexpr const char* kCurvedWay = "terrview-curved";
 inline constexpr const char* kBentWay = "terrview-bent";
+
+// Shadow rays of the default way take a map of the sun as given; these make it for the frame, or do
+// without.
+inline constexpr const char* kMapMadeWay = "terrview-sun-map-made";
+inline constexpr const char* kNoMapWay = "terrview-no-sun-map";
 
 // The thesis's rule, which may miss: render/neighbour_tracer.h.
 inline constexpr const char* kNeighbourWay = "terrview-neighbours";

@@ -34,7 +34,7 @@ Reference make_reference(const Terrain& terrain, const BenchView& view) {
   trace_rays(terrain, view.camera, 0, frame);
   ShadowRays rays = shadow_rays(terrain, view, frame);
   ShadowFrame shadow(frame.pixels());
-  shade_rays(terrain, view, rays, 0, shadow);
+  shade_rays(terrain, view, nullptr, rays, 0, shadow);
   return {std::move(frame), std::move(rays), std::move(shadow)};
 }
 
@@ -148,11 +148,15 @@ class Measurement {
   [[nodiscard]] std::vector<BenchResult> primary(int threads) const {
     TracedFrame frame(view_.camera.options().size_px);
     Round round(options_, threads);
-    for (const Entry& entry : entries_)
+    std::vector<const Reference*> expected;
+    for (const Entry& entry : entries_) {
+      if (!entry.tracer.primary) continue;
       round.add([&] { return entry.tracer.primary(threads, frame); },
                 static_cast<std::int64_t>(frame.pixels()), describe(entry, "primary", threads));
+      expected.push_back(entry.reference);
+    }
     return round.time([&](std::size_t i, BenchResult& result) {
-      if (const Reference* reference = entries_[i].reference) {
+      if (const Reference* reference = expected[i]) {
         set_errors(result, trace_errors(reference->frame, frame));
         result.hit_share = reference->hit_share();
       }

@@ -40,12 +40,23 @@ std::vector<const BenchResult*> of_terrview(const Results& results, std::string_
   return ours;
 }
 
+// Of the best Embree, the speed of another way of terrview's.
+std::string speed_of(const Results& results, const BenchResult& ours, const char* way) {
+  const BenchResult* other = beside(results, ours, way);
+  const BenchResult* theirs = best(results, ours, "embree");
+  if (!other || !theirs) return " |";
+  return format(" %.1f, ", ns_per_ray(*other)) +
+         format("%.2fx |", other->mrays_per_s / theirs->mrays_per_s);
+}
+
 void write_speeds(std::ostream& out, const Results& results, const std::string& rays) {
-  out << "\n### " << (rays == "primary" ? "Primary rays" : "Shadow rays")
-      << "\n\n| DEM, view | rays that " << (rays == "primary" ? "hit" : "are stopped")
+  const bool shadows = rays == "shadow";
+  out << "\n### " << (shadows ? "Shadow rays" : "Primary rays") << "\n\n| DEM, view | rays that "
+      << (shadows ? "are stopped" : "hit")
       << " | threads | terrview, ns/ray | tests + nodes | best Embree | its ns/ray | terrview is | "
-         "flips, max error | Embree's flips, other cells, p99, max error |\n"
-         "|---|---|---|---|---|---|---|---|---|---|\n";
+         "flips, max error | Embree's flips, other cells, p99, max error |"
+      << (shadows ? " the map made for the frame: ns/ray, terrview is | no map |" : "")
+      << "\n|---|---|---|---|---|---|---|---|---|---|" << (shadows ? "---|---|" : "") << '\n';
   for (const BenchResult* ours : of_terrview(results, rays)) {
     out << "| " << ours->dem << ", " << ours->view << " | "
         << (ours->hit_share ? format("%.1f %%", 100 * *ours->hit_share) : "") << " | "
@@ -60,7 +71,10 @@ void write_speeds(std::ostream& out, const Results& results, const std::string& 
     else
       out << " | | | " << cell("%ld", ours->hit_flips) << cell(", %.2g", ours->max_rel_error)
           << " | ";
-    out << " |\n";
+    out << " |";
+    if (shadows)
+      out << speed_of(results, *ours, kMapMadeWay) << speed_of(results, *ours, kNoMapWay);
+    out << '\n';
   }
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,11 +14,14 @@
 
 #include "render/parallel.h"
 #include "terrain/occlusion.h"
+#include "terrain/sun_shadow.h"
 
 namespace terrview {
 namespace {
 
 constexpr double kLift_m = 0.001;
+// With the rounding to single precision.
+constexpr double kMostLift_m = 0.01;
 
 // GCC 12's basic-block vectorizer drops the rounding where two such conversions stand side by side.
 [[gnu::noinline]] double round_to_float(double value) { return static_cast<float>(value); }
@@ -57,37 +62,61 @@ FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads,
   return {.tests = tests, .nodes = nodes};
 }
 
-FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const ShadowRays& rays,
-                     int threads, ShadowFrame& frame) {
+namespace {
+
+// The pixels of a row that have a shadow ray, and where those begin, in the view frame.
+struct ShadowRow {
+  std::vector<std::size_t> pixels;
+  std::vector<glm::dvec3> points_m;
+};
+
+ShadowRow shadow_row(const BenchView& view, const ShadowRays& rays, int row, ShadowFrame& frame) {
+  const auto width = static_cast<std::size_t>(rays.size_px.x);
+  ShadowRow begins;
+  begins.pixels.reserve(width);
+  begins.points_m.reserve(width);
+  const std::size_t first = static_cast<std::size_t>(row) * width;
+  for (std::size_t i = first; i < first + width; ++i) {
+    frame[i] = 0;
+    if (std::isnan(rays.x_m[i])) continue;
+    begins.pixels.push_back(i);
+    begins.points_m.emplace_back(rays.x_m[i] - view.eye_m.x, rays.y_m[i] - view.eye_m.y,
+                                 rays.z_m[i] - view.eye_m.z);
+  }
+  return begins;
+}
+
+}  // namespace
+
+FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const SunMap* map,
+                     const ShadowRays& rays, int threads, ShadowFrame& frame) {
   std::atomic<std::int64_t> tests = 0;
   std::atomic<std::int64_t> nodes = 0;
   parallel_for(rays.size_px.y, threads, [&](int row) {
     TraceCounts counts;
-    const auto width = static_cast<std::size_t>(rays.size_px.x);
-    const std::size_t first = static_cast<std::size_t>(row) * width;
-    std::vector<Ray> sunward(width);
-    std::vector<std::size_t> pixels(width);
-    std::size_t count = 0;
-    for (std::size_t i = first; i < first + width; ++i) {
-      frame[i] = 0;
-      if (std::isnan(rays.x_m[i])) continue;
-      Ray& ray = sunward[count];
-      ray.origin_m.x = rays.x_m[i] - view.eye_m.x;
-      ray.origin_m.y = rays.y_m[i] - view.eye_m.y;
-      ray.origin_m.z = rays.z_m[i] - view.eye_m.z;
-      ray.direction.x = view.to_sun.x;
-      ray.direction.y = view.to_sun.y;
-      ray.direction.z = view.to_sun.z;
-      pixels[count++] = i;
+    const ShadowRow begins = shadow_row(view, rays, row, frame);
+    std::vector<std::uint8_t> stopped(begins.pixels.size());
+    if (map) {
+      shaded(terrain, *map, begins.points_m, stopped, counts);
+    } else {
+      std::vector<Ray> sunward;
+      sunward.reserve(begins.points_m.size());
+      for (const glm::dvec3& point_m : begins.points_m) sunward.push_back({point_m, view.to_sun});
+      occluded(terrain, sunward, stopped, counts);
     }
-    sunward.resize(count);
-    std::vector<std::uint8_t> stopped(count);
-    occluded(terrain, sunward, stopped, counts);
-    for (std::size_t i = 0; i < count; ++i) frame[pixels[i]] = stopped[i];
+    for (std::size_t i = 0; i < stopped.size(); ++i) frame[begins.pixels[i]] = stopped[i];
     tests += counts.tests;
     nodes += counts.nodes;
   });
   return {.tests = tests, .nodes = nodes};
+}
+
+std::shared_ptr<const SunMap> sun_map_of(const Terrain& terrain, const BenchView& view,
+                                         int threads) {
+  return SunMap::make(terrain, view.to_sun, kMostLift_m,
+                      [&](int count, const std::function<void(int index)>& work) {
+                        parallel_for(count, threads, work);
+                      });
 }
 
 ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const TracedFrame& frame) {

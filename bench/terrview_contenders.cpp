@@ -38,7 +38,7 @@ Contender scalar(const BenchDem& dem, const Method& method) {
                 },
             .shadow =
                 [terrain, &view](const ShadowRays& rays, int threads, ShadowFrame& frame) {
-                  return shade_rays(*terrain, view, rays, threads, frame);
+                  return shade_rays(*terrain, view, nullptr, rays, threads, frame);
                 }};
   };
   return {.name = method.name,
@@ -83,6 +83,12 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
     ViewTracer tracer = scalar_place(view);
     const auto columns = column_view(view.camera);
     const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
+    // On other Earths the rays of the benchmark, parallel in its frame, are not those of one sun.
+    if (method.earth == BenchEarth::flat)
+      tracer.shadow = [terrain, &view, map = sun_map_of(*terrain, view, 0)](
+                          const ShadowRays& rays, int threads, ShadowFrame& frame) {
+        return shade_rays(*terrain, view, map.get(), rays, threads, frame);
+      };
     if (EyeFront::serves(*terrain)) {
       tracer.primary = [terrain, &view](int threads, TracedFrame& frame) {
         const auto front = view_front(*terrain, view.camera);
@@ -94,6 +100,22 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
       };
     }
     return tracer;
+  };
+  return contender;
+}
+
+// Shadow rays alone: with a map of the sun made for every frame, or without one.
+Contender other_shadows(const BenchDem& dem, const char* name, bool makes_map) {
+  Contender contender = scalar(dem, {name, SurfaceModel::hyperboloid, Search::pyramid});
+  contender.place = [&dem, makes_map](const BenchView& view) -> ViewTracer {
+    const auto terrain =
+        terrain_on(BenchEarth::flat, dem, view, SurfaceModel::hyperboloid, Search::pyramid);
+    const auto shade = [terrain, &view, makes_map](const ShadowRays& rays, int threads,
+                                                   ShadowFrame& frame) {
+      const auto map = makes_map ? sun_map_of(*terrain, view, threads) : nullptr;
+      return shade_rays(*terrain, view, map.get(), rays, threads, frame);
+    };
+    return {.primary = {}, .shadow = shade};
   };
   return contender;
 }
@@ -161,9 +183,12 @@ Contender frame_writer() {
 }  // namespace
 
 std::vector<Contender> terrview_contenders(const BenchDem& dem, const IsWanted& is_wanted) {
-  std::vector<Contender> contenders{frame_writer(), default_way(dem, kDefaultWay, BenchEarth::flat),
+  std::vector<Contender> contenders{frame_writer(),
+                                    default_way(dem, kDefaultWay, BenchEarth::flat),
                                     default_way(dem, kCurvedWay, BenchEarth::curved),
                                     default_way(dem, kBentWay, BenchEarth::bent),
+                                    other_shadows(dem, kMapMadeWay, true),
+                                    other_shadows(dem, kNoMapWay, false),
                                     neighbour_way(dem)};
   for (const SurfaceModel surface : kSurfaceModels) {
     contenders.push_back(scalar(dem, {"terrview-plain", surface, Search::plain}));
