@@ -20,8 +20,6 @@ namespace terrview {
 namespace {
 
 constexpr double kLift_m = 0.001;
-// With the rounding to single precision.
-constexpr double kMostLift_m = 0.01;
 
 // GCC 12's basic-block vectorizer drops the rounding where two such conversions stand side by side.
 [[gnu::noinline]] double round_to_float(double value) { return static_cast<float>(value); }
@@ -113,7 +111,7 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const SunMap
 
 std::shared_ptr<const SunMap> sun_map_of(const Terrain& terrain, const BenchView& view,
                                          int threads) {
-  return SunMap::make(terrain, view.to_sun, kMostLift_m,
+  return SunMap::make(terrain, view.to_sun,
                       [&](int count, const std::function<void(int index)>& work) {
                         parallel_for(count, threads, work);
                       });

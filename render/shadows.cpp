@@ -8,6 +8,7 @@
 #include "render/parallel.h"
 #include "terrain/occlusion.h"
 #include "terrain/sun_map.h"
+#include "terrain/sun_shadow.h"
 #include "terrain/view_transform.h"
 
 namespace terrview {
@@ -55,29 +56,39 @@ class SunDisc {
 // Rays from points towards parts of the sun, all sent at once.
 class SunRays {
  public:
-  // `map`: of the sun towards which all the rays go, or null.
-  SunRays(const ShadowCasters& casters, const SunMap* map, std::span<const Hit> points,
-          ShadowCounts& counts)
-      : casters_(casters), map_(map), points_(points), counts_(counts) {}
+  SunRays(const ShadowCasters& casters, std::span<const Hit> points, ShadowCounts& counts)
+      : casters_(casters), points_(points), counts_(counts) {}
 
   void add(std::size_t point, const glm::dvec3& true_direction) {
     rays_.push_back(ray(point, true_direction));
   }
 
-  // What the map knows of a point on the ground.
-  [[nodiscard]] Sunlight look_up(std::size_t point) {
-    if (!map_ || points_[point].grid == kOffGround) return Sunlight::unknown;
-    const Sunlight known = map_->at(casters_.terrain, points_[point]);
-    counts_.rays += known == Sunlight::unknown ? 0 : 1;
-    return known;
+  // Whether the map knows that the ground hides nothing of a sun without width.
+  [[nodiscard]] bool is_lit(std::size_t point) {
+    const bool lit = casters_.sun_map && points_[point].grid != kOffGround &&
+                     casters_.sun_map->lights(points_[point]);
+    counts_.rays += lit ? 1 : 0;
+    return lit;
+  }
+
+  // As send(), for rays that all go towards the middle of the sun.
+  std::vector<std::uint8_t> send_to_middle() {
+    if (!casters_.sun_map) return send();
+    counts_.rays += static_cast<std::int64_t>(rays_.size());
+    std::vector<glm::dvec3> points_m;
+    points_m.reserve(rays_.size());
+    for (const Ray& each : rays_) points_m.push_back(each.origin_m);
+    std::vector<std::uint8_t> answers(rays_.size());
+    TraceCounts counts;
+    shaded(casters_.terrain, *casters_.sun_map, points_m, answers, counts);
+    rays_.clear();
+    return answers;
   }
 
   // Whether the ground stops them, in the order of add(), after which none is left.
   std::vector<std::uint8_t> send() {
     counts_.rays += static_cast<std::int64_t>(rays_.size());
-    std::vector<std::uint8_t> answers(rays_.size());
-    TraceCounts counts;
-    occluded(casters_.terrain, rays_, answers, counts, map_);
+    std::vector<std::uint8_t> answers = stopped(casters_.terrain, rays_);
     rays_.clear();
     return answers;
   }
@@ -109,7 +120,6 @@ class SunRays {
   }
 
   const ShadowCasters& casters_;
-  const SunMap* map_;
   std::span<const Hit> points_;
   ShadowCounts& counts_;
   std::vector<Ray> rays_;
@@ -176,13 +186,12 @@ void add_disc(const Light& light, SunRays& rays, std::span<float> shares) {
 void add_point(const Light& light, SunRays& rays, std::span<float> shares) {
   std::vector<std::size_t> asked;
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    const Sunlight known = rays.look_up(i);
-    shares[i] = known == Sunlight::shaded ? 0 : 1;
-    if (known != Sunlight::unknown) continue;
+    shares[i] = 1;
+    if (rays.is_lit(i)) continue;
     asked.push_back(i);
     rays.add(i, light.towards_sun);
   }
-  const std::vector<std::uint8_t> hidden = rays.send();
+  const std::vector<std::uint8_t> hidden = rays.send_to_middle();
   for (std::size_t i = 0; i < asked.size(); ++i)
     if (hidden[i]) shares[asked[i]] = 0;
   for (std::size_t i = 0; i < shares.size(); ++i)
@@ -210,7 +219,7 @@ Scene with_sun_map(const Scene& scene, std::int64_t points, int threads) {
     return scene;
   Scene lit = scene;
   lit.sun_map = SunMap::make(
-      terrain, scene.light.towards_sun, terrain.most_lift_m(),
+      terrain, scene.light.towards_sun,
       [&](int count, const std::function<void(int)>& work) { parallel_for(count, threads, work); });
   return lit;
 }
@@ -225,10 +234,8 @@ std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> r
 std::vector<float> sun_shares(const ShadowCasters& casters, const Light& light,
                               std::span<const Hit> points, ShadowCounts& counts) {
   std::vector<float> shares(points.size(), 0);
-  const bool has_disc = light.sun_radius_rad > 0;
-  const SunMap* map = has_disc ? nullptr : casters.sun_map;
-  SunRays rays(casters, map, points, counts);
-  if (has_disc)
+  SunRays rays(casters, points, counts);
+  if (light.sun_radius_rad > 0)
     add_disc(light, rays, shares);
   else
     add_point(light, rays, shares);

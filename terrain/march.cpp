@@ -197,7 +197,7 @@ class Marcher {
     const VI step = choose(forward, of_int(1), of_int(-1));
     const VI next_column = column + choose(exit.over_column, step, zero);
     const VI next_row = row + choose(exit.over_column, zero, step);
-    go_on(first, active, exit.g, next_column, next_row);
+    go_on(first, active, exit, next_column, next_row);
   }
 
   // One block of 2^level x 2^level cells.
@@ -237,12 +237,14 @@ class Marcher {
     const MF forward =
         hn::IfThenElse(exit.over_column, get(set_.rate_u, first), get(set_.rate_v, first)) > of(0);
     const VI beyond = choose(forward, exit.line, exit.line - of_int(1));
-    go_on(first, active, exit.g, choose(exit.over_column, beyond, across_cell),
+    go_on(first, active, exit, choose(exit.over_column, beyond, across_cell),
           choose(exit.over_column, across_cell, beyond));
   }
 
   // Moves the `active` lanes; those that have left the grid, or rise above all of it, are decided.
-  HWY_INLINE void go_on(std::size_t first, std::uint32_t active, VF g, VI column, VI row) {
+  HWY_INLINE void go_on(std::size_t first, std::uint32_t active, const Exit& exit, VI column,
+                        VI row) {
+    const VF g = exit.g;
     const MF moving = mask_of(active);
     hn::Store(hn::IfThenElse(moving, g, get(set_.g, first)), F(), set_.g.data() + first);
     hn::Store(choose(moving, column, get(set_.column, first)), I(), set_.column.data() + first);
@@ -257,24 +259,51 @@ class Marcher {
     const VF highest = of(highest_m_);
     const VF slack = get(set_.slack, first) + of(kRounding) * (hn::Abs(climb) + hn::Abs(highest));
     const MF over_all = hn::And(rise >= of(0), (get(set_.height, first) - highest) + climb > slack);
-    std::uint32_t free = active & bits_of(over_all);
-    if (sun_ != nullptr) free |= come_to_light(active & ~(outside | free), column, row);
+    const std::uint32_t free = active & bits_of(over_all);
     settle(first, free, March::free);
     settle(first, outside & ~free, leaves_once_ ? March::free : March::undecided);
-    set_.marching[first / kLanes] = static_cast<std::uint16_t>(active & ~(outside | free));
+    active &= ~(outside | free);
+    if (sun_ != nullptr) active = look_up(first, active, exit, column, row);
+    set_.marching[first / kLanes] = static_cast<std::uint16_t>(active);
   }
 
-  // Which of the `active` lanes come, from above, to a cell that the sun shines on.
-  HWY_INLINE std::uint32_t come_to_light(std::uint32_t active, VI column, VI row) const {
-    const auto [start, per_column, per_row] = sun_->place();
-    const VI byte = of_int(start) + of_int(per_column) * column + of_int(per_row) * row;
+  // Decides what the map of the sun knows of rays that come to a cell from above; returns the
+  // others.
+  HWY_INLINE std::uint32_t look_up(std::size_t first, std::uint32_t active, const Exit& exit,
+                                   VI column, VI row) {
+    using Codes = SunMap::Codes;
+    const Codes& codes = sun_->codes();
+    const VI index =
+        of_int(codes.first) + of_int(codes.per_column) * column + of_int(codes.per_row) * row;
+    const VI live = hn::IfThenElseZero(hn::RebindMask(I(), mask_of(active)), index);
     const VI word =
-        hn::ShiftRight<2>(hn::IfThenElseZero(hn::RebindMask(I(), mask_of(active)), byte));
-    const auto* words = reinterpret_cast<const std::int32_t*>(sun_->words());
-    const VI shift = hn::ShiftLeft<3>(hn::And(byte, of_int(3)));
-    const VI light = hn::And(hn::Shr(hn::GatherIndex(I(), words, word), shift), of_int(0xff));
-    const auto lit = light == of_int(static_cast<std::int32_t>(Sunlight::lit));
-    return active & bits_of(hn::RebindMask(F(), lit));
+        hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(sun_->words()), live);
+    const hn::RebindToUnsigned<F> words;
+    const VF free_above = hn::ConvertTo(F(), hn::And(word, of_int(0xffff)));
+    const VF stopped_below =
+        hn::ConvertTo(F(), hn::BitCast(I(), hn::ShiftRight<16>(hn::BitCast(words, word))));
+
+    const VF climb = get(set_.rise, first) * exit.g;
+    const VF height = get(set_.height, first) + climb;
+    const VF slack = get(set_.slack, first) + of(kRounding) * (hn::Abs(climb) + hn::Abs(height));
+    const VF highest = height + slack + get(set_.bend, first) * exit.g * exit.g;
+    // From line to line of the map; a ray that comes in over a side has less of that before it.
+    const MF over_side = codes.over_rows ? exit.over_column : hn::Not(exit.over_column);
+    const VF rise = hn::IfThenZeroElse(over_side, of(static_cast<float>(codes.rise_least)));
+    const VF low = of(static_cast<float>(codes.low));
+    const VF per_height = of(static_cast<float>(codes.per_height));
+    const VF rounding = of(static_cast<float>(Codes::kRounding));
+    const VF least_code = (height - slack + rise - low) * per_height;
+    const VF most_code = (highest + of(static_cast<float>(codes.rise_most)) - low) * per_height;
+    const MF known = free_above < of(static_cast<float>(Codes::kNone));
+    const MF free = hn::Or(free_above == of(static_cast<float>(Codes::kAll)),
+                           hn::And(known, least_code > free_above + rounding));
+    const MF stopped = most_code < stopped_below - rounding;
+    const std::uint32_t free_lanes = active & bits_of(free);
+    const std::uint32_t stopped_lanes = active & ~free_lanes & bits_of(stopped);
+    settle(first, free_lanes, March::free);
+    settle(first, stopped_lanes, March::stopped);
+    return active & ~(free_lanes | stopped_lanes);
   }
 
   HWY_INLINE void settle(std::size_t first, std::uint32_t lanes, March fate) {

@@ -66,7 +66,7 @@ StripSpan strips_over(const SunField& field) {
 }  // namespace
 
 std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dvec3& to_sun,
-                                           double lift_m, const ForEach& for_each) {
+                                           const ForEach& for_each) {
   if (terrain.layers().size() != 1 || terrain.model() == SurfaceModel::band ||
       !(terrain.frame().z_scale > 0))
     return nullptr;
@@ -74,50 +74,68 @@ std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dv
   if (static_cast<double>(grid.columns) * grid.rows >= 0x1p30) return nullptr;
   const SunField field(terrain, to_sun);
   if (!field.is_regular()) return nullptr;
-  std::unique_ptr<SunMap> map(new SunMap(field, to_sun));
-  map->sweep(terrain, field, lift_m, for_each);
+  std::unique_ptr<SunMap> map(new SunMap(terrain, field, to_sun));
+  map->sweep(terrain, field, for_each);
   return map;
 }
 
-SunMap::SunMap(const SunField& field, const glm::dvec3& to_sun)
+SunMap::SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun)
     : to_sun_(to_sun), hit_error_(field.track_error()) {
   const int cells_x = field.posts() - 1;
   const int cells_y = field.lines() - 1;
   cells_ = field.over_rows() ? glm::ivec2(cells_x, cells_y) : glm::ivec2(cells_y, cells_x);
   const int step = field.from_last() ? -cells_x : cells_x;
-  place_.first = field.from_last() ? (cells_y - 1) * cells_x : 0;
-  place_.per_column = field.over_rows() ? 1 : step;
-  place_.per_row = field.over_rows() ? step : 1;
-  const std::size_t cells = static_cast<std::size_t>(cells_x) * static_cast<std::size_t>(cells_y);
-  size_words_ = (cells + sizeof(std::uint32_t) - 1) / sizeof(std::uint32_t);
-  words_ = std::make_unique<std::uint32_t[]>(size_words_);
+  codes_.first = field.from_last() ? (cells_y - 1) * cells_x : 0;
+  codes_.per_column = field.over_rows() ? 1 : step;
+  codes_.per_row = field.over_rows() ? step : 1;
+  const SunRates rates = field.rates({0, 0}, {field.posts(), field.lines()});
+  codes_.rise_least = rates.rise_least;
+  codes_.rise_most = rates.rise_most;
+  const glm::dvec2 range = terrain.height_range_m() / terrain.frame().z_scale;
+  codes_.low = range.x;
+  codes_.per_height = (Codes::kNone - 2) / (range.y - range.x + rates.rise_most);
+  codes_.over_rows = field.over_rows();
+  codes_.share0 = field.from_last() ? 1 : 0;
+  const double share = field.from_last() ? -1 : 1;
+  (field.over_rows() ? codes_.share_per_row : codes_.share_per_column) = share;
+  words_ = std::make_unique_for_overwrite<std::uint32_t[]>(bytes() / sizeof(std::uint32_t));
 }
 
-Sunlight SunMap::at(glm::dvec2 uv) const {
-  const glm::dvec2 cell = glm::floor(uv);
-  const bool over_grid = cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y;
-  return over_grid && is_inside(uv - cell, kBorder) ? at(glm::ivec2(cell)) : Sunlight::unknown;
-}
-
-Sunlight SunMap::at(const Terrain& terrain, const Hit& hit) const {
-  if (is_inside(hit.uv - glm::dvec2(hit.cell), kBorder + hit_error_)) return at(hit.cell);
-  if (hit_error_ == 0) return Sunlight::unknown;
-  const Sunlight light = at(terrain.layers()[0].map->to_grid(glm::dvec2(hit.position_m)));
-  // The hit may lie as high as the ground of the other cell.
-  return light == Sunlight::shaded && at(hit.cell) != light ? Sunlight::unknown : light;
-}
-
-void SunMap::sweep(const Terrain& terrain, const SunField& field, double lift_m,
-                   const ForEach& for_each) {
+void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each) {
   const double scale = terrain.frame().z_scale;
-  const double rise = field.rates({0, 0}, {field.posts(), field.lines()}).rise_most;
-  const double slack = kSlack * (terrain.height_bound_m() / scale + rise * field.lines());
-  const SunSweep sweep{*terrain.layers()[0].grid, field, slack, lift_m / scale,
-                       reinterpret_cast<std::uint8_t*>(words_.get())};
+  const double slack =
+      kSlack * (terrain.height_bound_m() / scale + codes_.rise_most * field.lines());
+  std::fill_n(words_.get(), bytes() / sizeof(std::uint32_t), Codes::kNone);
+  const SunSweep sweep{*terrain.layers()[0].grid, field,       slack, codes_.low,
+                       codes_.per_height,         words_.get()};
   const StripSpan strips = strips_over(field);
   for_each((strips.end - strips.first + kSunStrips - 1) / kSunStrips, [&](int part) {
     HWY_DYNAMIC_DISPATCH(sweep_strips)(sweep, strips.first + part * kSunStrips);
   });
+}
+
+Sunlight SunMap::at(glm::dvec2 uv, double height) const {
+  const glm::dvec2 cell = glm::floor(uv);
+  const glm::dvec2 in_cell = uv - cell;
+  const bool over_grid = cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y;
+  if (!over_grid || !is_inside(in_cell, kBorder)) return Sunlight::unknown;
+  const std::uint32_t codes = word(glm::ivec2(cell));
+  const std::uint32_t free_above = Codes::free_above(codes);
+  const double share =
+      codes_.share0 + codes_.share_per_column * in_cell.x + codes_.share_per_row * in_cell.y;
+  const auto code = [&](double z) { return (z - codes_.low) * codes_.per_height; };
+  if (free_above == Codes::kAll ||
+      (free_above != Codes::kNone &&
+       code(height + share * codes_.rise_least) > free_above + Codes::kRounding))
+    return Sunlight::lit;
+  return code(height + share * codes_.rise_most) < Codes::stopped_below(codes) - Codes::kRounding
+             ? Sunlight::shaded
+             : Sunlight::unknown;
+}
+
+bool SunMap::lights(const Hit& hit) const {
+  return is_inside(hit.uv - glm::dvec2(hit.cell), kBorder + hit_error_) &&
+         Codes::free_above(word(hit.cell)) == Codes::kAll;
 }
 
 }  // namespace terrview

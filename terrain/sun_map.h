@@ -31,62 +31,71 @@
 
 namespace terrview {
 
-// What is known of the rays that leave a cell's ground towards the sun.
-enum class Sunlight : std::uint8_t {
-  unknown,  // some may be stopped
-  lit,      // none is, nor one that comes down on the cell's ground from above
-  shaded,   // all are
-};
+// What is known of a ray from a point of the ground, or above it, towards the sun.
+enum class Sunlight : std::uint8_t { unknown, lit, shaded };
 
 class SunMap {
  public:
-  // Of the sun at `to_sun`, a true direction at the eye, of unit length. Rays may begin `lift_m`
-  // above the highest ground of their cell. Refers to nothing of `terrain` afterwards. Null where
-  // rays towards the sun are too unlike each other, the sun is not above the horizon everywhere or
-  // is in the zenith, and for several layers, a z_scale that is not positive and
-  // SurfaceModel::band, whose ground has steps.
+  // Of the sun at `to_sun`, a true direction at the eye, of unit length. Refers to nothing of
+  // `terrain` afterwards. Null where rays towards the sun are too unlike each other, the sun is not
+  // above the horizon everywhere or is in the zenith, and for several layers, a z_scale that is not
+  // positive and SurfaceModel::band, whose ground has steps.
   [[nodiscard]] static std::unique_ptr<const SunMap> make(const Terrain& terrain,
-                                                          const glm::dvec3& to_sun, double lift_m,
+                                                          const glm::dvec3& to_sun,
                                                           const ForEach& for_each = one_by_one);
 
-  // Of the cell whose first post is (column, row).
-  [[nodiscard]] Sunlight at(glm::ivec2 cell) const {
-    return at_byte(place_.first + place_.per_column * cell.x + place_.per_row * cell.y);
-  }
+  // Two codes a cell, on a line of cells away from the sun: a ray over the cell that is higher,
+  // where it comes to the line's end towards the sun, than the one says is not stopped by what lies
+  // further on; one that is lower than the other says is. Heights are in the grid's unit.
+  struct Codes {
+    // Of the cell (column, row): words()[first + per_column * column + per_row * row].
+    std::int32_t first, per_column, per_row;
+    // The code of a height is (height - low) * per_height, within kRounding of a code.
+    double low, per_height;
+    // How much a ray rises from line to line, and the share of that from a place in a cell.
+    double rise_least, rise_most;
+    double share0, share_per_column, share_per_row;
+    bool over_rows;  // lines are rows
 
-  // Of the point at which Terrain::leave() begins a ray from `hit`, where a ray met the ground of
-  // `terrain`, the map's.
-  [[nodiscard]] Sunlight at(const Terrain& terrain, const Hit& hit) const;
+    // Below the first the ground of the cell cannot lie; above the second is unknown.
+    static constexpr std::uint32_t kAll = 0;
+    static constexpr std::uint32_t kNone = 0xffff;
+    static constexpr double kRounding = 0.25;
+    static std::uint32_t free_above(std::uint32_t word) { return word & 0xffff; }
+    static std::uint32_t stopped_below(std::uint32_t word) { return word >> 16; }
+  };
+  [[nodiscard]] const Codes& codes() const { return codes_; }
+  [[nodiscard]] const std::uint32_t* words() const { return words_.get(); }
 
-  // Of a place of the grid, in posts: unknown next to the border of its cell, and beyond the grid.
-  [[nodiscard]] Sunlight at(glm::dvec2 uv) const;
+  // Of a point on the ground or above it, at a place of the grid in posts: unknown next to the
+  // border of its cell, and beyond the grid.
+  [[nodiscard]] Sunlight at(glm::dvec2 uv, double height) const;
+
+  // Whether all the ground of the cell in which a ray meets it is lit. False next to the border of
+  // the cell, where Terrain::leave() may begin in another.
+  [[nodiscard]] bool lights(const Hit& hit) const;
 
   // Nearer than this to the border of its cell, in posts, a point's cell is not sure.
   static constexpr double kBorder = 0x1p-18;
 
   [[nodiscard]] const glm::dvec3& to_sun() const { return to_sun_; }
-  [[nodiscard]] std::size_t bytes() const { return size_words_ * sizeof(std::uint32_t); }
-
-  // at() of the cell (column, row) is byte first + per_column * column + per_row * row of words(),
-  // from the lowest of each.
-  struct Place {
-    std::int32_t first, per_column, per_row;
-  };
-  [[nodiscard]] const Place& place() const { return place_; }
-  [[nodiscard]] Sunlight at_byte(std::int32_t byte) const {
-    return static_cast<Sunlight>(reinterpret_cast<const std::uint8_t*>(words_.get())[byte]);
+  [[nodiscard]] std::size_t bytes() const {
+    return static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
+           sizeof(std::uint32_t);
   }
-  [[nodiscard]] const std::uint32_t* words() const { return words_.get(); }
 
  private:
-  SunMap(const SunField& field, const glm::dvec3& to_sun);
-  void sweep(const Terrain& terrain, const SunField& field, double lift_m, const ForEach& for_each);
+  SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun);
+  void sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each);
+  [[nodiscard]] std::uint32_t word(glm::ivec2 cell) const {
+    return words_[static_cast<std::size_t>(codes_.first + codes_.per_column * cell.x +
+                                           codes_.per_row * cell.y)];
+  }
 
   glm::dvec3 to_sun_;
   glm::ivec2 cells_;
   double hit_error_;  // how far a hit's place may be from that of its position, in posts
-  Place place_{};
-  std::size_t size_words_ = 0;
+  Codes codes_{};
   std::unique_ptr<std::uint32_t[]> words_;
 };
 

@@ -25,14 +25,16 @@ HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
 
-// Finds the cells of points.x_m, points.y_m, lane by lane as the map of the ground has them.
-void find_cells(const Terrain& terrain, const SunMap& map, GridPoints& points) {
+// Looks points up in a map, lane by lane as SunMap::at() does; places as the map of the ground has
+// them.
+void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
   const glm::dmat2 j = *terrain.layers()[0].map->linear();
   const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
-  const auto [first, per_column, per_row] = map.place();
+  const SunMap::Codes& codes = map.codes();
   const V last_column = of(terrain.layers()[0].grid->columns - 2);
   const V last_row = of(terrain.layers()[0].grid->rows - 2);
   const hn::Rebind<std::int32_t, D> ints;
+  const hn::Rebind<std::uint32_t, D> words;
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(D())) {
     const V x = hn::Load(D(), points.x_m.data() + i);
     const V y = hn::Load(D(), points.y_m.data() + i);
@@ -44,17 +46,36 @@ void find_cells(const Terrain& terrain, const SunMap& map, GridPoints& points) {
     const V in_row = v - row;
     const V least = hn::Min(in_column, in_row);
     const V most = hn::Max(in_column, in_row);
-    M known = hn::And(least > of(SunMap::kBorder), most < of(1 - SunMap::kBorder));
-    known = hn::And(known, hn::And(hn::Min(column, row) >= of(0),
-                                   hn::And(column <= last_column, row <= last_row)));
-    const V light = of(first) + of(per_column) * column + of(per_row) * row;
+    M sure = hn::And(least > of(SunMap::kBorder), most < of(1 - SunMap::kBorder));
+    sure = hn::And(sure, hn::And(hn::Min(column, row) >= of(0),
+                                 hn::And(column <= last_column, row <= last_row)));
+    const V index = of(codes.first) + of(codes.per_column) * column + of(codes.per_row) * row;
+    const auto word =
+        hn::BitCast(words, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(map.words()),
+                                           hn::DemoteTo(ints, hn::IfThenElseZero(sure, index))));
+    const V free_above =
+        hn::PromoteTo(D(), hn::BitCast(ints, hn::And(word, hn::Set(words, 0xffff))));
+    const V stopped_below = hn::PromoteTo(D(), hn::BitCast(ints, hn::ShiftRight<16>(word)));
+
+    const V height = hn::Load(D(), points.height.data() + i);
+    const V share = of(codes.share0) + of(codes.share_per_column) * in_column +
+                    of(codes.share_per_row) * in_row;
+    const V least_code =
+        (height + share * of(codes.rise_least) - of(codes.low)) * of(codes.per_height);
+    const V most_code =
+        (height + share * of(codes.rise_most) - of(codes.low)) * of(codes.per_height);
+    const M above = hn::And(least_code > free_above + of(SunMap::Codes::kRounding),
+                            free_above < of(SunMap::Codes::kNone));
+    const M lit = hn::Or(above, free_above == of(SunMap::Codes::kAll));
+    const M below = most_code < stopped_below - of(SunMap::Codes::kRounding);
+    const V known = hn::IfThenElse(lit, of(GridPoints::kLit),
+                                   hn::IfThenElseZero(below, of(GridPoints::kShaded)));
+    hn::Store(hn::DemoteTo(ints, hn::IfThenElse(sure, known, of(GridPoints::kNowhere))), ints,
+              points.known.data() + i);
     hn::Store(in_column, D(), points.u.data() + i);
     hn::Store(in_row, D(), points.v.data() + i);
-    hn::Store(hn::DemoteTo(ints, hn::IfThenElseZero(known, column)), ints,
-              points.column.data() + i);
-    hn::Store(hn::DemoteTo(ints, hn::IfThenElseZero(known, row)), ints, points.row.data() + i);
-    hn::Store(hn::DemoteTo(ints, hn::IfThenElse(known, light, of(-1))), ints,
-              points.light.data() + i);
+    hn::Store(hn::DemoteTo(ints, column), ints, points.column.data() + i);
+    hn::Store(hn::DemoteTo(ints, row), ints, points.row.data() + i);
   }
 }
 
@@ -65,7 +86,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace terrview {
 
-HWY_EXPORT(find_cells);
+HWY_EXPORT(look_up);
 
 namespace {
 
@@ -89,9 +110,10 @@ class ParallelRays {
       for (std::size_t i = 0; i < points_.count; ++i) {
         points_.x_m[i] = points_m_[first + i].x;
         points_.y_m[i] = points_m_[first + i].y;
+        points_.height[i] = height(points_m_[first + i]);
       }
-      HWY_DYNAMIC_DISPATCH(find_cells)(terrain_, map_, points_);
-      for (std::size_t i = 0; i < points_.count; ++i) look_up(first + i, i);
+      HWY_DYNAMIC_DISPATCH(look_up)(terrain_, map_, points_);
+      for (std::size_t i = 0; i < points_.count; ++i) settle(first + i, i);
     }
     march_waiting();
   }
@@ -118,14 +140,16 @@ class ParallelRays {
     set_.g.fill(0);
   }
 
-  void look_up(std::size_t point, std::size_t i) {
-    const std::int32_t light = points_.light[i];
-    const Sunlight known = light < 0 ? Sunlight::unknown : map_.at_byte(light);
-    if (known != Sunlight::unknown)
-      shaded_[point] = known == Sunlight::shaded ? 1 : 0;
-    else if (light < 0 || !can_march_)
+  [[nodiscard]] double height(const glm::dvec3& point_m) const {
+    return (point_m.z + terrain_.frame().eye_height_m) / terrain_.frame().z_scale;
+  }
+
+  void settle(std::size_t point, std::size_t i) {
+    const std::int32_t known = points_.known[i];
+    shaded_[point] = known == GridPoints::kShaded ? 1 : 0;
+    if (known == GridPoints::kNowhere || (known == GridPoints::kUnknown && !can_march_))
       ask(point);
-    else
+    else if (known == GridPoints::kUnknown)
       wait(point, i);
   }
 
@@ -136,8 +160,7 @@ class ParallelRays {
   void wait(std::size_t point, std::size_t i) {
     if (set_.count == MarchSet::kMost) march_waiting();
     const std::size_t slot = set_.count++;
-    const VerticalFrame& frame = terrain_.frame();
-    const double height = (points_m_[point].z + frame.eye_height_m) / frame.z_scale;
+    const double height = points_.height[i];
     waiting_[slot] = point;
     set_.index[slot] = static_cast<std::int32_t>(slot);
     set_.column[slot] = set_.column0[slot] = points_.column[i];
@@ -182,7 +205,10 @@ void shaded_apart(const Terrain& terrain, const SunMap& map, std::span<const glm
   std::vector<std::size_t> unknown;
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < points_m.size(); ++i) {
-    const Sunlight known = map.at(layer.map->to_grid(glm::dvec2(points_m[i])));
+    const glm::dvec2 ground_m(points_m[i]);
+    const double height =
+        terrain.frame().at(ground_m).scene_height_m(points_m[i].z) / terrain.frame().z_scale;
+    const Sunlight known = map.at(layer.map->to_grid(ground_m), height);
     shaded[i] = known == Sunlight::shaded ? 1 : 0;
     if (known != Sunlight::unknown) continue;
     unknown.push_back(i);

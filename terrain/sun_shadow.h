@@ -14,10 +14,9 @@
 
 namespace terrview {
 
-// shaded[i] = whether the ground stops a ray from points_m[i] towards the sun of `map`, as
-// Terrain::occluded() has it. The points are those of Terrain::leave(), or on ground_at() and no
-// more than the map's `lift_m` above it. The terrain is that of the map, or the same posts seen
-// from another eye. Adds to `counts`.
+// shaded[i] = whether the ground stops a ray from points_m[i], on the ground or above it, towards
+// the sun of `map` (direction_at()), as Terrain::occluded() has it. `terrain` is that of the map.
+// Adds to `counts`.
 void shaded(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
             std::span<std::uint8_t> shaded, TraceCounts& counts);
 

@@ -169,13 +169,10 @@ class StripSweep {
     const VF north_least = of(track_.rise_least(line));
     const VF south_least = of(track_.rise_least(line + 1));
     const VF north_most = of(track_.rise_most(line));
-    const VF south_most = of(track_.rise_most(line + 1));
     const VF drift = of(-rates.drift);
     const VF rise_anywhere = of(rates.rise_least * (1 - field_.track_turn()));
     const VF turn = of(rates.spread + field_.track_turn());
-    const double slack = sweep_.slack + field_.blur() + field_.track_error() * rates.rise_most;
-    const VF lower = of(slack);
-    const VF lift = of(slack + sweep_.lift);
+    const VF lower = of(slack_of(rates));
     const VF none = of(-kInfinity);
     for (std::size_t i = 0; i < kCells; i += kLanes) {
       const VF rise = near_eye(line, i) ? none : rise_anywhere;
@@ -202,10 +199,8 @@ class StripSweep {
         top_south = hn::Max(height_or_none(sw), height_or_none(se));
       }
       const VF top = hn::Max(top_north + north_least, top_south + south_least);
-      const VF high = hn::Max(top_north + north_most, top_south + south_most);
       keep(caster_, i, hn::IfThenElse(faces_sun, none, top));
       keep(low_, i, hn::IfThenElse(faces_sun, low - lower, none));
-      keep(high_, i, hn::IfThenElse(ground, high + lift, of(kInfinity)));
       keep(edge_, i, hn::IfThenElse(ground, hn::Min(nw, ne) + north_most, none));
     }
     if (field_.is_linear()) clear_outside(line);
@@ -231,31 +226,44 @@ class StripSweep {
     std::fill(caster_.begin() + kPad + end, caster_.end(), -kInfinity);
   }
 
-  // Compares the cells of a line with the ground towards the sun: what was passed, and the cells
-  // beside them from which rays come over the line itself.
+  // What is known of rays over the cells of a line from the ground towards the sun: what was
+  // passed, the cells beside them from which rays come over the line itself, and their own.
   HWY_INLINE void light_cells(int line, const Range& strips, const Range& beside) {
     const hn::RebindToSigned<F> ints;
-    const hn::Rebind<std::uint8_t, F> bytes;
-    const auto lit_code = hn::Set(ints, static_cast<std::int32_t>(Sunlight::lit));
-    const auto shaded_code = hn::Set(ints, static_cast<std::int32_t>(Sunlight::shaded));
+    const double slack = slack_of(track_.rates());
+    const VF per_height = of(sweep_.per_height);
+    const VF free0 = of(sweep_.low + track_.rise_least(line) - slack);
+    const VF stopped0 = of(sweep_.low + track_.rise_most(line) + slack);
+    const VF least = of(SunMap::Codes::kAll);
+    const VF most = of(SunMap::Codes::kNone);
     for (std::size_t i = 0; i < kCells; i += kLanes) {
-      const VF horizon = hn::Max(highest(horizon_, i, strips), highest(caster_, i, beside));
-      const MF lit = get(low_, i) > horizon;
-      const MF shaded = get(high_, i) < lowest(wall_, i, strips);
-      const auto light =
-          hn::IfThenElse(hn::RebindMask(ints, lit), lit_code,
-                         hn::IfThenElseZero(hn::RebindMask(ints, shaded), shaded_code));
-      hn::StoreU(hn::DemoteTo(bytes, light), bytes, lights_.data() + i);
+      const VF ahead = hn::Max(highest(horizon_, i, strips), highest(caster_, i, beside));
+      const VF horizon = hn::Max(ahead, get(caster_, i));
+      const VF free_above = hn::Ceil((horizon - free0) * per_height);
+      const VF clamped = hn::Max(least, hn::Min(free_above, most));
+      const VF free_code = hn::IfThenElse(get(low_, i) > ahead, least, clamped);
+      const VF stopped_below = hn::Floor((lowest(wall_, i, strips) - stopped0) * per_height);
+      const VF stopped_code = hn::Max(of(0), hn::Min(stopped_below, most));
+      const auto codes = hn::Or(hn::ConvertTo(ints, free_code),
+                                hn::ShiftLeft<16>(hn::ConvertTo(ints, stopped_code)));
+      hn::StoreU(hn::BitCast(hn::RebindToUnsigned<F>(), codes), hn::RebindToUnsigned<F>(),
+                 words_.data() + i);
     }
+    put_words(line);
+  }
+
+  void put_words(int line) {
     const int most = static_cast<int>(kCells) - 2 * kSunHalo;
     const int first = std::max(track_.x(line), 0);
     const int end = std::min({track_after_.x(line), track_.x(line) + most, field_.posts() - 1});
-    if (first < end)
-      std::memcpy(
-          sweep_.light +
-              static_cast<std::size_t>(line) * static_cast<std::size_t>(field_.posts() - 1) + first,
-          lights_.data() + (kSunHalo + first - track_.x(line)),
-          static_cast<std::size_t>(end - first));
+    if (first >= end) return;
+    const auto row = static_cast<std::size_t>(line) * static_cast<std::size_t>(field_.posts() - 1);
+    std::copy_n(words_.data() + (kSunHalo + first - track_.x(line)), end - first,
+                sweep_.words + row + first);
+  }
+
+  [[nodiscard]] double slack_of(const SunRates& rates) const {
+    return sweep_.slack + field_.blur() + field_.track_error() * rates.rise_most;
   }
 
   // Raises the horizons of the strips over cells that do not face the sun.
@@ -291,8 +299,8 @@ class StripSweep {
   // By strip, the first kSunHalo before those of track_.
   alignas(64) Values horizon_, wall_;
   // By cell of the line, cell i where strip i begins.
-  alignas(64) Values caster_, low_, high_, edge_;
-  alignas(64) std::array<std::uint8_t, kCells> lights_;
+  alignas(64) Values caster_, low_, edge_;
+  alignas(64) std::array<std::uint32_t, kCells> words_;
   alignas(64) std::array<std::array<float, kPanelPosts>, kSunPanelLines + 1> panel_;
 };
 

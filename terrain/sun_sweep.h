@@ -23,10 +23,10 @@ inline constexpr int kSunPanelLines = 16;
 struct SunSweep {
   const HeightGrid& grid;
   const SunField& field;
-  double slack;         // more than the rounding of heights along rays
-  double lift;          // how high above a cell rays from it may begin
-  std::uint8_t* light;  // of the cell between lines y and y + 1, posts x and x + 1: light[y *
-                        // (posts - 1) + x]
+  double slack;            // more than the rounding of heights along rays
+  double low, per_height;  // of codes: SunMap::Codes
+  // Of the cell between lines y and y + 1, posts x and x + 1: words[y * (posts - 1) + x].
+  std::uint32_t* words;
 
   // The row or the column of posts.
   [[nodiscard]] int post_line(int line) const {

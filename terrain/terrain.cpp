@@ -42,6 +42,8 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
       reach_m_(0),
       ceiling_m_(-std::numeric_limits<double>::infinity()),
       height_bound_m_(0),
+      height_range_m_(std::numeric_limits<double>::infinity(),
+                      -std::numeric_limits<double>::infinity()),
       has_holes_(false) {
   for (TerrainLayer& layer : layers_) {
     const HeightRange range = height_range(*layer.grid);
@@ -51,6 +53,8 @@ Terrain::Terrain(std::vector<TerrainLayer> layers, const VerticalFrame& frame, S
                           frame_.ceiling_m(frame_.z_scale * range.highest_m, layer.map->reach_m()));
     for (const double height_m : {range.lowest_m, range.highest_m})
       height_bound_m_ = std::max(height_bound_m_, std::abs(frame_.z_scale * height_m));
+    height_range_m_.x = std::min(height_range_m_.x, frame_.z_scale * range.lowest_m);
+    height_range_m_.y = std::max(height_range_m_.y, frame_.z_scale * range.highest_m);
     has_holes_ |= range.has_holes;
     if (search == Search::plain) continue;
     if (!layer.ceilings) layer.ceilings = std::make_shared<const HeightCeilings>(*layer.grid);
@@ -97,11 +101,6 @@ Ray Terrain::leave(const Hit& hit, const glm::dvec3& direction) const {
   origin_m.z += kLift * (std::abs(origin_m.x) + std::abs(origin_m.y) + std::abs(origin_m.z) +
                          std::abs(height_m) + std::abs(frame_.eye_height_m));
   return {origin_m, direction};
-}
-
-double Terrain::most_lift_m() const {
-  // The Earth drops by less than the distance.
-  return kLift * (3 * reach_m_ + 3 * height_bound_m_ + 2 * std::abs(frame_.eye_height_m));
 }
 
 }  // namespace terrview

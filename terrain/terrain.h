@@ -102,8 +102,6 @@ class Terrain {
   // under a ray depends on its plane) and by the rounding error, so that it does not meet the
   // ground it leaves.
   [[nodiscard]] Ray leave(const Hit& hit, const glm::dvec3& direction) const;
-  // By at most so much.
-  [[nodiscard]] double most_lift_m() const;
 
   [[nodiscard]] const std::vector<TerrainLayer>& layers() const { return layers_; }
   [[nodiscard]] const VerticalFrame& frame() const { return frame_; }
@@ -119,6 +117,8 @@ class Terrain {
   [[nodiscard]] double ceiling_m() const { return ceiling_m_; }
   // No scene height lies further from 0.
   [[nodiscard]] double height_bound_m() const { return height_bound_m_; }
+  // The lowest and the highest scene height; with z_scale < 0 the other way round.
+  [[nodiscard]] glm::dvec2 height_range_m() const { return height_range_m_; }
   // Whether some post of some layer has no height.
   [[nodiscard]] bool has_holes() const { return has_holes_; }
 
@@ -131,6 +131,7 @@ class Terrain {
   double reach_m_;
   double ceiling_m_;
   double height_bound_m_;
+  glm::dvec2 height_range_m_;
   bool has_holes_;
 };
 

@@ -68,7 +68,7 @@ std::vector<Hit> ground_under(const Terrain& terrain, Random& random, int count)
 
 void expect_shadows_of_single_rays(const Terrain& terrain, const glm::dvec3& to_sun,
                                    const std::vector<Hit>& hits, Seen& seen) {
-  const auto map = SunMap::make(terrain, to_sun, terrain.most_lift_m());
+  const auto map = SunMap::make(terrain, to_sun);
   if (!map) return;
   ++seen.suns;
   std::vector<glm::dvec3> points_m;
@@ -84,7 +84,11 @@ void expect_shadows_of_single_rays(const Terrain& terrain, const glm::dvec3& to_
     EXPECT_EQ(stopped[i] != 0, expected)
         << "at " << hits[i].uv.x << ", " << hits[i].uv.y << " of "
         << terrain.layers()[0].grid->columns << " x " << terrain.layers()[0].grid->rows;
-    const Sunlight known = map->at(terrain, hits[i]);
+    const glm::dvec2 at_m(points_m[i]);
+    const double height =
+        terrain.frame().at(at_m).scene_height_m(points_m[i].z) / terrain.frame().z_scale;
+    const Sunlight known = map->at(terrain.layers()[0].map->to_grid(at_m), height);
+    if (map->lights(hits[i])) EXPECT_FALSE(expected);
     if (known == Sunlight::unknown)
       ++seen.unknown;
     else
@@ -201,7 +205,7 @@ TEST(SunShadow, IsSoUnderEveryInstructionSetWithTheSameMap) {
     Seen seen;
     expect_shadows_of_single_rays(terrain, to_sun, hits, seen);
     EXPECT_GT(seen.lit, 1000);
-    const auto map = SunMap::make(terrain, to_sun, 0);
+    const auto map = SunMap::make(terrain, to_sun);
     maps.emplace_back(map->words(), map->words() + map->bytes() / sizeof(std::uint32_t));
   });
   for (const auto& map : maps) EXPECT_EQ(map, maps[0]);
@@ -213,8 +217,8 @@ TEST(SunShadow, HasTheSameMapInWhateverOrderItsPartsAreMade) {
   const auto backwards = [](int count, const std::function<void(int)>& work) {
     for (int i = count; i-- > 0;) work(i);
   };
-  const auto map = SunMap::make(terrain, to_sun, 0);
-  const auto other = SunMap::make(terrain, to_sun, 0, backwards);
+  const auto map = SunMap::make(terrain, to_sun);
+  const auto other = SunMap::make(terrain, to_sun, backwards);
   ASSERT_EQ(map->bytes(), other->bytes());
   EXPECT_TRUE(std::equal(map->words(), map->words() + map->bytes() / 4, other->words()));
 }
@@ -261,11 +265,11 @@ TEST(SunShadow, IsSoOnHardGround) {
 TEST(SunShadow, KnowsThatAllOfAPlainIsLit) {
   const Terrain terrain =
       make_terrain(make_grid(50, 40, [](int, int) { return 7; }), {}, SurfaceModel::hyperboloid);
-  const auto map = SunMap::make(terrain, sun_at(1, 0.01), 0);
+  const auto map = SunMap::make(terrain, sun_at(1, 0.01));
   ASSERT_TRUE(map);
   for (int row = 0; row < 39; ++row)
     for (int column = 0; column < 49; ++column)
-      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::lit) << column << ", " << row;
+      EXPECT_EQ(map->at({column + 0.5, row + 0.5}, 7), Sunlight::lit) << column << ", " << row;
 }
 
 // A wall of 10 m across the sun's way, which rises by a metre over a post.
@@ -273,32 +277,64 @@ TEST(SunShadow, KnowsTheShadowOfAWall) {
   const auto height_m = [](int, int row) { return row == 30 ? 10 : 0; };
   const Terrain terrain =
       make_terrain(make_grid(50, 50, height_m), {.spacing_m = {1, 1}}, SurfaceModel::hyperboloid);
-  const auto map = SunMap::make(terrain, sun_at(0, std::atan(1.0)), 0);  // in the north
+  const auto map = SunMap::make(terrain, sun_at(0, std::atan(1.0)));  // in the north
   ASSERT_TRUE(map);
   for (int column = 2; column < 47; ++column) {
-    for (int row = 0; row < 28; ++row)
-      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::lit) << column << ", " << row;
-    for (int row = 31; row < 39; ++row)
-      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::shaded) << column << ", " << row;
-    for (int row = 41; row < 49; ++row)
-      EXPECT_EQ(map->at(glm::ivec2(column, row)), Sunlight::lit) << column << ", " << row;
+    for (int row = 0; row < 49; ++row) {
+      if (row == 28 || row == 29 || row == 30) continue;  // the wall and its feet
+      const double edge = 40 - (row + 0.5);               // how high the shadow is
+      for (const double height : {0.0, 0.5, 3.0, 9.0}) {
+        if (row >= 31 && std::abs(height - edge) < 0.01) continue;
+        const bool shaded = row >= 31 && height < edge;
+        EXPECT_EQ(map->at({column + 0.5, row + 0.5}, height),
+                  shaded ? Sunlight::shaded : Sunlight::lit)
+            << column << ", " << row << ", " << height;
+      }
+    }
   }
+}
+
+// Rays that begin in the air.
+TEST(SunShadow, IsSoAboveTheGround) {
+  Random random(14);
+  int known = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Terrain terrain = random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+    const glm::dvec3 to_sun = random_sun(random);
+    const auto map = SunMap::make(terrain, to_sun);
+    if (!map) continue;
+    std::vector<glm::dvec3> points_m;
+    for (const Hit& hit : ground_under(terrain, random, 200)) {
+      const double range_m = terrain.height_range_m().y - terrain.height_range_m().x;
+      points_m.push_back(hit.position_m);
+      points_m.back().z += random.uniform(0.001, 1) * (range_m + 1e-3 * terrain.reach_m());
+    }
+    std::vector<std::uint8_t> stopped(points_m.size());
+    TraceCounts counts;
+    shaded(terrain, *map, points_m, stopped, counts);
+    known += counts.tests + counts.nodes < static_cast<std::int64_t>(points_m.size()) ? 1 : 0;
+    for (std::size_t k = 0; k < points_m.size(); ++k) {
+      const Ray ray{points_m[k], direction_at(terrain.frame(), points_m[k], to_sun)};
+      EXPECT_EQ(stopped[k] != 0, terrain.occluded(ray));
+    }
+  }
+  EXPECT_GT(known, 20);
 }
 
 TEST(SunShadow, HasNoMapForASunBelowTheGroundOrInTheZenith) {
   const Terrain terrain =
       make_terrain(make_grid(5, 5, [](int, int) { return 0; }), {}, SurfaceModel::hyperboloid);
-  EXPECT_FALSE(SunMap::make(terrain, sun_at(1, -0.1), 0));
-  EXPECT_FALSE(SunMap::make(terrain, sun_at(1, 0), 0));
-  EXPECT_FALSE(SunMap::make(terrain, {0, 0, 1}, 0));
-  EXPECT_TRUE(SunMap::make(terrain, sun_at(1, 0.1), 0));
+  EXPECT_FALSE(SunMap::make(terrain, sun_at(1, -0.1)));
+  EXPECT_FALSE(SunMap::make(terrain, sun_at(1, 0)));
+  EXPECT_FALSE(SunMap::make(terrain, {0, 0, 1}));
+  EXPECT_TRUE(SunMap::make(terrain, sun_at(1, 0.1)));
 }
 
 TEST(SunShadow, CostsAFractionOfTheWorkWithoutAMap) {
   Random random(12);
   const Terrain terrain = wide_hills(500, {.eye_height_m = 500});
   const glm::dvec3 to_sun = sun_at(2, 0.35);
-  const auto map = SunMap::make(terrain, to_sun, terrain.most_lift_m());
+  const auto map = SunMap::make(terrain, to_sun);
   std::vector<Ray> rays;
   std::vector<glm::dvec3> points_m;
   for (const Hit& hit : ground_under(terrain, random, 5000)) {
