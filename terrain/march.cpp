@@ -273,8 +273,7 @@ class Marcher {
                                    VI column, VI row) {
     using Codes = SunMap::Codes;
     const Codes& codes = sun_->codes();
-    const VI index =
-        of_int(codes.first) + of_int(codes.per_column) * column + of_int(codes.per_row) * row;
+    const VI index = row * of_int(grid_.columns - 1) + column;
     const VI live = hn::IfThenElseZero(hn::RebindMask(I(), mask_of(active)), index);
     const VI word =
         hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(sun_->words()), live);

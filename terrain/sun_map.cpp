@@ -81,13 +81,8 @@ std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dv
 
 SunMap::SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun)
     : to_sun_(to_sun), hit_error_(field.track_error()) {
-  const int cells_x = field.posts() - 1;
-  const int cells_y = field.lines() - 1;
-  cells_ = field.over_rows() ? glm::ivec2(cells_x, cells_y) : glm::ivec2(cells_y, cells_x);
-  const int step = field.from_last() ? -cells_x : cells_x;
-  codes_.first = field.from_last() ? (cells_y - 1) * cells_x : 0;
-  codes_.per_column = field.over_rows() ? 1 : step;
-  codes_.per_row = field.over_rows() ? step : 1;
+  const HeightGrid& grid = *terrain.layers()[0].grid;
+  cells_ = {grid.columns - 1, grid.rows - 1};
   const SunRates rates = field.rates({0, 0}, {field.posts(), field.lines()});
   codes_.rise_least = rates.rise_least;
   codes_.rise_most = rates.rise_most;
@@ -105,7 +100,8 @@ void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach&
   const double scale = terrain.frame().z_scale;
   const double slack =
       kSlack * (terrain.height_bound_m() / scale + codes_.rise_most * field.lines());
-  std::fill_n(words_.get(), bytes() / sizeof(std::uint32_t), Codes::kNone);
+  // Elsewhere strips drift apart, and cells between them stay unknown.
+  if (!field.is_linear()) std::fill_n(words_.get(), bytes() / sizeof(std::uint32_t), Codes::kNone);
   const SunSweep sweep{*terrain.layers()[0].grid, field,       slack, codes_.low,
                        codes_.per_height,         words_.get()};
   const StripSpan strips = strips_over(field);

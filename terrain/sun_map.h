@@ -48,8 +48,6 @@ class SunMap {
   // where it comes to the line's end towards the sun, than the one says is not stopped by what lies
   // further on; one that is lower than the other says is. Heights are in the grid's unit.
   struct Codes {
-    // Of the cell (column, row): words()[first + per_column * column + per_row * row].
-    std::int32_t first, per_column, per_row;
     // The code of a height is (height - low) * per_height, within kRounding of a code.
     double low, per_height;
     // How much a ray rises from line to line, and the share of that from a place in a cell.
@@ -65,6 +63,7 @@ class SunMap {
     static std::uint32_t stopped_below(std::uint32_t word) { return word >> 16; }
   };
   [[nodiscard]] const Codes& codes() const { return codes_; }
+  // Of cells, row by row; those of a grid have a column less than its posts.
   [[nodiscard]] const std::uint32_t* words() const { return words_.get(); }
 
   // Of a point on the ground or above it, at a place of the grid in posts: unknown next to the
@@ -88,8 +87,8 @@ class SunMap {
   SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun);
   void sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each);
   [[nodiscard]] std::uint32_t word(glm::ivec2 cell) const {
-    return words_[static_cast<std::size_t>(codes_.first + codes_.per_column * cell.x +
-                                           codes_.per_row * cell.y)];
+    return words_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) +
+                  static_cast<std::size_t>(cell.x)];
   }
 
   glm::dvec3 to_sun_;

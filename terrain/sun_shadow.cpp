@@ -49,7 +49,7 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
     M sure = hn::And(least > of(SunMap::kBorder), most < of(1 - SunMap::kBorder));
     sure = hn::And(sure, hn::And(hn::Min(column, row) >= of(0),
                                  hn::And(column <= last_column, row <= last_row)));
-    const V index = of(codes.first) + of(codes.per_column) * column + of(codes.per_row) * row;
+    const V index = column + row * (last_column + of(1));
     const auto word =
         hn::BitCast(words, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(map.words()),
                                            hn::DemoteTo(ints, hn::IfThenElseZero(sure, index))));

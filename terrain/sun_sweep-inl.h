@@ -18,6 +18,7 @@
 
 #include "terrain/sun_map.h"
 #include "terrain/sun_sweep.h"
+#include "terrain/vector_transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -44,8 +45,7 @@ class StripSweep {
     const int end = field_.lines() - 1;
     for (int line = 0; line < end; line += kSunPanelLines) {
       const int panel_end = std::min(line + kSunPanelLines, end);
-      if (load_panel(line, panel_end))
-        for (int y = line; y < panel_end; ++y) sweep_line(y);
+      if (load_panel(line, panel_end)) sweep_panel(line, panel_end);
       track_.next_panel();
       track_after_.next_panel();
     }
@@ -130,15 +130,37 @@ class StripSweep {
     }
   }
 
+  // Four rows at a time, all lines of the panel in each, since their rows lie far apart in memory.
   void copy_columns(int line, int end, const Range& posts) {
     const auto columns = static_cast<std::size_t>(field_.lines());
-    const int step = field_.from_last() ? -1 : 1;
-    for (int x = posts.first; x < posts.last; ++x) {
-      const float* post = sweep_.grid.heights_m.data() +
-                          static_cast<std::size_t>(panel_x_ + x) * columns + sweep_.post_line(line);
-      for (int i = 0; i <= end - line; ++i)
-        panel_[static_cast<std::size_t>(i)][static_cast<std::size_t>(x)] = post[i * step];
+    const auto post = [&](int x, int column) {
+      return sweep_.grid.heights_m.data() + static_cast<std::size_t>(panel_x_ + x) * columns +
+             column;
+    };
+    const auto at = [&](int y) { return panel_[static_cast<std::size_t>(y - line)].data(); };
+    const int back = field_.from_last() ? 3 : 0;
+    int x = posts.first;
+    for (; x + 4 <= posts.last; x += 4) {
+      int y = line;
+      for (; y + 3 <= end; y += 4) {
+        const float* from = post(x, sweep_.post_line(y + back));
+        transpose_4x4<float>({from, from + columns, from + 2 * columns, from + 3 * columns},
+                             {at(y + back) + x, at(y + (1 ^ back)) + x, at(y + (2 ^ back)) + x,
+                              at(y + (3 ^ back)) + x});
+      }
+      for (; y <= end; ++y)
+        for (int i = 0; i < 4; ++i) at(y)[x + i] = *post(x + i, sweep_.post_line(y));
     }
+    for (; x < posts.last; ++x)
+      for (int y = line; y <= end; ++y) at(y)[x] = *post(x, sweep_.post_line(y));
+  }
+
+  void sweep_panel(int line, int end) {
+    for (int y = line; y < end; ++y) sweep_line(y);
+    if (field_.over_rows())
+      put_rows(end);
+    else
+      put_columns(end);
   }
 
   void sweep_line(int line) {
@@ -236,6 +258,7 @@ class StripSweep {
     const VF stopped0 = of(sweep_.low + track_.rise_most(line) + slack);
     const VF least = of(SunMap::Codes::kAll);
     const VF most = of(SunMap::Codes::kNone);
+    std::uint32_t* words = words_[static_cast<std::size_t>(line - panel_line_)].data();
     for (std::size_t i = 0; i < kCells; i += kLanes) {
       const VF ahead = hn::Max(highest(horizon_, i, strips), highest(caster_, i, beside));
       const VF horizon = hn::Max(ahead, get(caster_, i));
@@ -247,19 +270,58 @@ class StripSweep {
       const auto codes = hn::Or(hn::ConvertTo(ints, free_code),
                                 hn::ShiftLeft<16>(hn::ConvertTo(ints, stopped_code)));
       hn::StoreU(hn::BitCast(hn::RebindToUnsigned<F>(), codes), hn::RebindToUnsigned<F>(),
-                 words_.data() + i);
+                 words + i);
     }
-    put_words(line);
   }
 
-  void put_words(int line) {
+  // The cells of a line that are these strips', as far as the next strips' own.
+  [[nodiscard]] Range own_cells(int line) const {
+    const int width = field_.posts() - 1;
     const int most = static_cast<int>(kCells) - 2 * kSunHalo;
-    const int first = std::max(track_.x(line), 0);
-    const int end = std::min({track_after_.x(line), track_.x(line) + most, field_.posts() - 1});
-    if (first >= end) return;
-    const auto row = static_cast<std::size_t>(line) * static_cast<std::size_t>(field_.posts() - 1);
-    std::copy_n(words_.data() + (kSunHalo + first - track_.x(line)), end - first,
-                sweep_.words + row + first);
+    const int first = std::clamp(track_.x(line), 0, width);
+    return {first, std::clamp(std::min(track_after_.x(line), track_.x(line) + most), first, width)};
+  }
+
+  // Of a cell of the panel.
+  [[nodiscard]] const std::uint32_t* word(int x, int line) const {
+    return words_[static_cast<std::size_t>(line - panel_line_)].data() +
+           (kSunHalo + x - track_.x(line));
+  }
+
+  void put_rows(int end) {
+    for (int line = panel_line_; line < end; ++line) {
+      const Range own = own_cells(line);
+      std::copy_n(word(own.first, line), own.last - own.first, sweep_.at(own.first, line));
+    }
+  }
+
+  // Four rows at a time, where all lines have them.
+  void put_columns(int end) {
+    Range common{0, field_.posts()};
+    for (int line = panel_line_; line < end; ++line) {
+      const Range own = own_cells(line);
+      common = {std::max(common.first, own.first), std::min(common.last, own.last)};
+    }
+    if (end - panel_line_ < kSunPanelLines || common.last < common.first) common = {0, 0};
+    common.last -= (common.last - common.first) % 4;
+    const int back = field_.from_last() ? 3 : 0;
+    const auto columns = static_cast<std::size_t>(sweep_.grid.columns - 1);
+    std::array<const std::uint32_t*, kSunPanelLines> from{};
+    for (int i = 0; i < kSunPanelLines; ++i)
+      from[static_cast<std::size_t>(i)] = word(0, panel_line_ + i);
+    for (int x = common.first; x < common.last; x += 4) {
+      for (std::size_t i = 0; i < kSunPanelLines; i += 4) {
+        std::uint32_t* to = sweep_.at(x, panel_line_ + static_cast<int>(i) + back);
+        const auto row = [&](int k) { return from[i + static_cast<std::size_t>(k ^ back)] + x; };
+        transpose_4x4<std::uint32_t>({row(0), row(1), row(2), row(3)},
+                                     {to, to + columns, to + 2 * columns, to + 3 * columns});
+      }
+    }
+    for (int line = panel_line_; line < end; ++line) {
+      const Range own = own_cells(line);
+      for (int x = own.first; x < own.last; ++x)
+        if (x < common.first || x >= common.last) *sweep_.at(x, line) = *word(x, line);
+    }
   }
 
   [[nodiscard]] double slack_of(const SunRates& rates) const {
@@ -300,7 +362,7 @@ class StripSweep {
   alignas(64) Values horizon_, wall_;
   // By cell of the line, cell i where strip i begins.
   alignas(64) Values caster_, low_, edge_;
-  alignas(64) std::array<std::uint32_t, kCells> words_;
+  alignas(64) std::array<std::array<std::uint32_t, kCells>, kSunPanelLines> words_;
   alignas(64) std::array<std::array<float, kPanelPosts>, kSunPanelLines + 1> panel_;
 };
 

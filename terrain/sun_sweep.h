@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "terrain/height_grid.h"
 #include "terrain/sun_field.h"
@@ -25,8 +26,15 @@ struct SunSweep {
   const SunField& field;
   double slack;            // more than the rounding of heights along rays
   double low, per_height;  // of codes: SunMap::Codes
-  // Of the cell between lines y and y + 1, posts x and x + 1: words[y * (posts - 1) + x].
-  std::uint32_t* words;
+  std::uint32_t* words;    // cells row by row
+
+  // Of the cell between the lines `line` and `line` + 1, the posts x and x + 1.
+  [[nodiscard]] std::uint32_t* at(int x, int line) const {
+    const int across = field.from_last() ? field.lines() - 2 - line : line;
+    const auto [column, row] = field.over_rows() ? std::pair(x, across) : std::pair(across, x);
+    return words + static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns - 1) +
+           column;
+  }
 
   // The row or the column of posts.
   [[nodiscard]] int post_line(int line) const {
