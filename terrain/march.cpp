@@ -278,7 +278,8 @@ class Marcher {
     const VI word =
         hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(sun_->words()), live);
     const hn::RebindToUnsigned<F> words;
-    const VF free_above = hn::ConvertTo(F(), hn::And(word, of_int(0xffff)));
+    const VI most = of_int(Codes::kMost);
+    const VF free_above = hn::ConvertTo(F(), most - hn::And(word, most));
     const VF stopped_below =
         hn::ConvertTo(F(), hn::BitCast(I(), hn::ShiftRight<16>(hn::BitCast(words, word))));
 
@@ -294,9 +295,8 @@ class Marcher {
     const VF rounding = of(static_cast<float>(Codes::kRounding));
     const VF least_code = (height - slack + rise - low) * per_height;
     const VF most_code = (highest + of(static_cast<float>(codes.rise_most)) - low) * per_height;
-    const MF known = free_above < of(static_cast<float>(Codes::kNone));
-    const MF free = hn::Or(free_above == of(static_cast<float>(Codes::kAll)),
-                           hn::And(known, least_code > free_above + rounding));
+    const MF known = free_above < of(static_cast<float>(Codes::kMost));
+    const MF free = hn::Or(free_above == of(0), hn::And(known, least_code > free_above + rounding));
     const MF stopped = most_code < stopped_below - rounding;
     const std::uint32_t free_lanes = active & bits_of(free);
     const std::uint32_t stopped_lanes = active & ~free_lanes & bits_of(stopped);

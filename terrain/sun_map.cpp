@@ -5,9 +5,13 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
+#include <new>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -39,6 +43,35 @@ namespace {
 // of a ray's clearance in double precision.
 constexpr double kSlack = 0x1p-20;
 
+// Cells as places on lines: (x, line), both included.
+struct Part {
+  glm::ivec2 first, last;
+};
+
+Part part_of(const SunField& field, const CellRect& cells) {
+  const auto turned = [&](glm::ivec2 cell) {
+    if (!field.over_rows()) std::swap(cell.x, cell.y);
+    if (field.from_last()) cell.y = field.lines() - 2 - cell.y;
+    return cell;
+  };
+  const glm::ivec2 a = turned(cells.first);
+  const glm::ivec2 b = turned(cells.last);
+  return {glm::min(a, b), glm::max(a, b)};
+}
+
+// Whether the strips from `first` on come over `part`.
+bool reaches(const SunField& field, int first, const Part& part) {
+  StripTrack track(field, first);
+  bool reaches = false;
+  for (int line = 0; line <= part.last.y; line += kSunPanelLines) {
+    const int x = std::min(track.x(line), track.x(line + kSunPanelLines));
+    const int end = std::max(track.x(line), track.x(line + kSunPanelLines)) + kSunStrips + kSunHalo;
+    reaches |= line + kSunPanelLines > part.first.y && x <= part.last.x && end >= part.first.x;
+    track.next_panel();
+  }
+  return reaches;
+}
+
 bool is_inside(glm::dvec2 in_cell, double border) {
   return std::min(in_cell.x, in_cell.y) > border && std::max(in_cell.x, in_cell.y) < 1 - border;
 }
@@ -66,7 +99,7 @@ StripSpan strips_over(const SunField& field) {
 }  // namespace
 
 std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dvec3& to_sun,
-                                           const ForEach& for_each) {
+                                           const ForEach& for_each, const CellRect& wanted) {
   if (terrain.layers().size() != 1 || terrain.model() == SurfaceModel::band ||
       !(terrain.frame().z_scale > 0))
     return nullptr;
@@ -75,7 +108,7 @@ std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dv
   const SunField field(terrain, to_sun);
   if (!field.is_regular()) return nullptr;
   std::unique_ptr<SunMap> map(new SunMap(terrain, field, to_sun));
-  map->sweep(terrain, field, for_each);
+  map->sweep(terrain, field, for_each, wanted);
   return map;
 }
 
@@ -88,25 +121,34 @@ SunMap::SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& 
   codes_.rise_most = rates.rise_most;
   const glm::dvec2 range = terrain.height_range_m() / terrain.frame().z_scale;
   codes_.low = range.x;
-  codes_.per_height = (Codes::kNone - 2) / (range.y - range.x + rates.rise_most);
+  codes_.per_height = (Codes::kMost - 2) / (range.y - range.x + rates.rise_most);
   codes_.over_rows = field.over_rows();
   codes_.share0 = field.from_last() ? 1 : 0;
   const double share = field.from_last() ? -1 : 1;
   (field.over_rows() ? codes_.share_per_row : codes_.share_per_column) = share;
-  words_ = std::make_unique_for_overwrite<std::uint32_t[]>(bytes() / sizeof(std::uint32_t));
+  // Pages of zeros that nobody writes cost nothing.
+  words_.reset(static_cast<std::uint32_t*>(std::calloc(bytes(), 1)));
+  if (!words_) throw std::bad_alloc();
 }
 
-void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each) {
+void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each,
+                   const CellRect& wanted) {
   const double scale = terrain.frame().z_scale;
   const double slack =
       kSlack * (terrain.height_bound_m() / scale + codes_.rise_most * field.lines());
-  // Elsewhere strips drift apart, and cells between them stay unknown.
-  if (!field.is_linear()) std::fill_n(words_.get(), bytes() / sizeof(std::uint32_t), Codes::kNone);
-  const SunSweep sweep{*terrain.layers()[0].grid, field,       slack, codes_.low,
-                       codes_.per_height,         words_.get()};
+  SunSweep sweep{*terrain.layers()[0].grid, field,       slack, codes_.low, codes_.per_height, 0,
+                 field.lines() - 2,         words_.get()};
+  const Part part = part_of(field, {wanted.first, glm::min(wanted.last, cells_ - 1)});
+  // Ground further towards the sun is lower than all rays from there.
+  const glm::dvec2 range = terrain.height_range_m() / scale;
+  const double over_all = 1.001 * (range.y - range.x) + 8 * slack + 2 * field.blur();
+  const double lead = std::ceil(over_all / codes_.rise_least) + 2;
+  sweep.first_line = static_cast<int>(std::max(0.0, part.first.y - lead));
+  sweep.last_line = part.last.y;
   const StripSpan strips = strips_over(field);
-  for_each((strips.end - strips.first + kSunStrips - 1) / kSunStrips, [&](int part) {
-    HWY_DYNAMIC_DISPATCH(sweep_strips)(sweep, strips.first + part * kSunStrips);
+  for_each((strips.end - strips.first + kSunStrips - 1) / kSunStrips, [&](int i) {
+    const int first = strips.first + i * kSunStrips;
+    if (reaches(field, first, part)) HWY_DYNAMIC_DISPATCH(sweep_strips)(sweep, first);
   });
 }
 
@@ -120,9 +162,8 @@ Sunlight SunMap::at(glm::dvec2 uv, double height) const {
   const double share =
       codes_.share0 + codes_.share_per_column * in_cell.x + codes_.share_per_row * in_cell.y;
   const auto code = [&](double z) { return (z - codes_.low) * codes_.per_height; };
-  if (free_above == Codes::kAll ||
-      (free_above != Codes::kNone &&
-       code(height + share * codes_.rise_least) > free_above + Codes::kRounding))
+  if (free_above == 0 || (free_above != Codes::kMost &&
+                          code(height + share * codes_.rise_least) > free_above + Codes::kRounding))
     return Sunlight::lit;
   return code(height + share * codes_.rise_most) < Codes::stopped_below(codes) - Codes::kRounding
              ? Sunlight::shaded
@@ -131,7 +172,7 @@ Sunlight SunMap::at(glm::dvec2 uv, double height) const {
 
 bool SunMap::lights(const Hit& hit) const {
   return is_inside(hit.uv - glm::dvec2(hit.cell), kBorder + hit_error_) &&
-         Codes::free_above(word(hit.cell)) == Codes::kAll;
+         Codes::free_above(word(hit.cell)) == 0;
 }
 
 }  // namespace terrview

@@ -19,6 +19,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <memory>
 
 #include <glm/vec2.hpp>
@@ -34,15 +36,23 @@ namespace terrview {
 // What is known of a ray from a point of the ground, or above it, towards the sun.
 enum class Sunlight : std::uint8_t { unknown, lit, shaded };
 
+// Cells of a grid, both included; as given here, all.
+struct CellRect {
+  glm::ivec2 first{0};
+  glm::ivec2 last{std::numeric_limits<int>::max()};
+};
+
 class SunMap {
  public:
-  // Of the sun at `to_sun`, a true direction at the eye, of unit length. Refers to nothing of
-  // `terrain` afterwards. Null where rays towards the sun are too unlike each other, the sun is not
-  // above the horizon everywhere or is in the zenith, and for several layers, a z_scale that is not
-  // positive and SurfaceModel::band, whose ground has steps.
+  // Of the sun at `to_sun`, a true direction at the eye, of unit length; of the cells of `wanted`
+  // at least, the others may stay unknown. Refers to nothing of `terrain` afterwards. Null where
+  // rays towards the sun are too unlike each other, the sun is not above the horizon everywhere or
+  // is in the zenith, and for several layers, a z_scale that is not positive and
+  // SurfaceModel::band, whose ground has steps.
   [[nodiscard]] static std::unique_ptr<const SunMap> make(const Terrain& terrain,
                                                           const glm::dvec3& to_sun,
-                                                          const ForEach& for_each = one_by_one);
+                                                          const ForEach& for_each = one_by_one,
+                                                          const CellRect& wanted = {});
 
   // Two codes a cell, on a line of cells away from the sun: a ray over the cell that is higher,
   // where it comes to the line's end towards the sun, than the one says is not stopped by what lies
@@ -55,11 +65,11 @@ class SunMap {
     double share0, share_per_column, share_per_row;
     bool over_rows;  // lines are rows
 
-    // Below the first the ground of the cell cannot lie; above the second is unknown.
-    static constexpr std::uint32_t kAll = 0;
-    static constexpr std::uint32_t kNone = 0xffff;
+    // Of free_above(): 0 says that all of the cell's ground is lit, kMost that nothing is known.
+    static constexpr std::uint32_t kMost = 0xffff;
     static constexpr double kRounding = 0.25;
-    static std::uint32_t free_above(std::uint32_t word) { return word & 0xffff; }
+    // Of a word: 0, where none was written, knows nothing.
+    static std::uint32_t free_above(std::uint32_t word) { return kMost - (word & kMost); }
     static std::uint32_t stopped_below(std::uint32_t word) { return word >> 16; }
   };
   [[nodiscard]] const Codes& codes() const { return codes_; }
@@ -85,7 +95,8 @@ class SunMap {
 
  private:
   SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun);
-  void sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each);
+  void sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each,
+             const CellRect& wanted);
   [[nodiscard]] std::uint32_t word(glm::ivec2 cell) const {
     return words_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) +
                   static_cast<std::size_t>(cell.x)];
@@ -95,7 +106,10 @@ class SunMap {
   glm::ivec2 cells_;
   double hit_error_;  // how far a hit's place may be from that of its position, in posts
   Codes codes_{};
-  std::unique_ptr<std::uint32_t[]> words_;
+  struct Free {
+    void operator()(std::uint32_t* words) const { std::free(words); }
+  };
+  std::unique_ptr<std::uint32_t[], Free> words_;
 };
 
 }  // namespace terrview

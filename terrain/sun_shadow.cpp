@@ -54,7 +54,8 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
         hn::BitCast(words, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(map.words()),
                                            hn::DemoteTo(ints, hn::IfThenElseZero(sure, index))));
     const V free_above =
-        hn::PromoteTo(D(), hn::BitCast(ints, hn::And(word, hn::Set(words, 0xffff))));
+        of(SunMap::Codes::kMost) -
+        hn::PromoteTo(D(), hn::BitCast(ints, hn::And(word, hn::Set(words, SunMap::Codes::kMost))));
     const V stopped_below = hn::PromoteTo(D(), hn::BitCast(ints, hn::ShiftRight<16>(word)));
 
     const V height = hn::Load(D(), points.height.data() + i);
@@ -65,8 +66,8 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
     const V most_code =
         (height + share * of(codes.rise_most) - of(codes.low)) * of(codes.per_height);
     const M above = hn::And(least_code > free_above + of(SunMap::Codes::kRounding),
-                            free_above < of(SunMap::Codes::kNone));
-    const M lit = hn::Or(above, free_above == of(SunMap::Codes::kAll));
+                            free_above < of(SunMap::Codes::kMost));
+    const M lit = hn::Or(above, free_above == of(0));
     const M below = most_code < stopped_below - of(SunMap::Codes::kRounding);
     const V known = hn::IfThenElse(lit, of(GridPoints::kLit),
                                    hn::IfThenElseZero(below, of(GridPoints::kShaded)));

@@ -196,8 +196,9 @@ class StripSweep {
     const VF turn = of(rates.spread + field_.track_turn());
     const VF lower = of(slack_of(rates));
     const VF none = of(-kInfinity);
+    const bool is_near_eye = near_eye(line, 0, kCells);
     for (std::size_t i = 0; i < kCells; i += kLanes) {
-      const VF rise = near_eye(line, i) ? none : rise_anywhere;
+      const VF rise = is_near_eye && near_eye(line, i, kLanes) ? none : rise_anywhere;
       const VF nw = hn::LoadU(F(), north + i);
       const VF ne = hn::LoadU(F(), north + i + 1);
       const VF sw = hn::LoadU(F(), south + i);
@@ -228,10 +229,10 @@ class StripSweep {
     if (field_.is_linear()) clear_outside(line);
   }
 
-  // Whether one of the cells from cell i is so near to the eye that none faces the sun for sure.
-  [[nodiscard]] bool near_eye(int line, std::size_t i) const {
+  // Whether one of the cells from cell i on is so near to the eye that it may not face the sun.
+  [[nodiscard]] bool near_eye(int line, std::size_t i, std::size_t cells) const {
     const int x = track_.x(line) - kSunHalo + static_cast<int>(i);
-    return field_.is_near_eye({x, line}, {x + static_cast<int>(kLanes), line + 1});
+    return field_.is_near_eye({x, line}, {x + static_cast<int>(cells), line + 1});
   }
 
   static HWY_INLINE VF height_or_none(VF post) {
@@ -256,15 +257,14 @@ class StripSweep {
     const VF per_height = of(sweep_.per_height);
     const VF free0 = of(sweep_.low + track_.rise_least(line) - slack);
     const VF stopped0 = of(sweep_.low + track_.rise_most(line) + slack);
-    const VF least = of(SunMap::Codes::kAll);
-    const VF most = of(SunMap::Codes::kNone);
+    const VF most = of(SunMap::Codes::kMost);
     std::uint32_t* words = words_[static_cast<std::size_t>(line - panel_line_)].data();
     for (std::size_t i = 0; i < kCells; i += kLanes) {
       const VF ahead = hn::Max(highest(horizon_, i, strips), highest(caster_, i, beside));
       const VF horizon = hn::Max(ahead, get(caster_, i));
       const VF free_above = hn::Ceil((horizon - free0) * per_height);
-      const VF clamped = hn::Max(least, hn::Min(free_above, most));
-      const VF free_code = hn::IfThenElse(get(low_, i) > ahead, least, clamped);
+      const VF not_free = hn::Max(of(0), hn::Min(free_above, most));
+      const VF free_code = most - hn::IfThenElseZero(get(low_, i) <= ahead, not_free);
       const VF stopped_below = hn::Floor((lowest(wall_, i, strips) - stopped0) * per_height);
       const VF stopped_code = hn::Max(of(0), hn::Min(stopped_below, most));
       const auto codes = hn::Or(hn::ConvertTo(ints, free_code),

@@ -24,9 +24,10 @@ inline constexpr int kSunPanelLines = 16;
 struct SunSweep {
   const HeightGrid& grid;
   const SunField& field;
-  double slack;            // more than the rounding of heights along rays
-  double low, per_height;  // of codes: SunMap::Codes
-  std::uint32_t* words;    // cells row by row
+  double slack;               // more than the rounding of heights along rays
+  double low, per_height;     // of codes: SunMap::Codes
+  int first_line, last_line;  // of cells
+  std::uint32_t* words;       // of cells row by row
 
   // Of the cell between the lines `line` and `line` + 1, the posts x and x + 1.
   [[nodiscard]] std::uint32_t* at(int x, int line) const {

@@ -223,6 +223,31 @@ TEST(SunShadow, HasTheSameMapInWhateverOrderItsPartsAreMade) {
   EXPECT_TRUE(std::equal(map->words(), map->words() + map->bytes() / 4, other->words()));
 }
 
+TEST(SunShadow, HasTheSameMapOfAPart) {
+  Random random(15);
+  for (const double spread : {0.0, kEarth_per_m}) {
+    const Terrain terrain = wide_hills(
+        1100,
+        {.eye_height_m = 500, .north_curvature_per_m = spread, .east_curvature_per_m = spread});
+    for (int i = 0; i < 8; ++i) {
+      const glm::dvec3 to_sun = sun_at(random.uniform(0, 6.3), random.uniform(0.2, 0.6));
+      CellRect part{{random.integer(0, 1000), random.integer(0, 1000)}, {}};
+      part.last = part.first + glm::ivec2(random.integer(0, 90), random.integer(0, 90));
+      const auto whole = SunMap::make(terrain, to_sun);
+      const auto map = SunMap::make(terrain, to_sun, one_by_one, part);
+      std::size_t written = 0;
+      for (std::size_t k = 0; k < map->bytes() / sizeof(std::uint32_t); ++k)
+        written += map->words()[k] != 0 ? 1 : 0;
+      EXPECT_LT(written, map->bytes() / sizeof(std::uint32_t) * 7 / 8);
+      for (int row = part.first.y; row <= part.last.y; ++row)
+        for (int column = part.first.x; column <= part.last.x; ++column)
+          ASSERT_EQ(map->at({column + 0.5, row + 0.5}, 310),
+                    whole->at({column + 0.5, row + 0.5}, 310))
+              << column << ", " << row;
+    }
+  }
+}
+
 // One post in a plain, walls, steps, a checkerboard, all in several units.
 TEST(SunShadow, IsSoOnHardGround) {
   constexpr int kPosts = 60;
