@@ -1,5 +1,6 @@
 #include "bench/scalar_rays.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render/parallel.h"
@@ -68,20 +70,44 @@ struct ShadowRow {
   std::vector<glm::dvec3> points_m;
 };
 
-ShadowRow shadow_row(const BenchView& view, const ShadowRays& rays, int row, ShadowFrame& frame) {
+ShadowRow shadow_row(const BenchView& view, const ShadowRays& rays, int row) {
   const auto width = static_cast<std::size_t>(rays.size_px.x);
   ShadowRow begins;
-  begins.pixels.reserve(width);
-  begins.points_m.reserve(width);
+  begins.pixels.resize(width);
+  begins.points_m.resize(width);
   const std::size_t first = static_cast<std::size_t>(row) * width;
+  std::size_t count = 0;
   for (std::size_t i = first; i < first + width; ++i) {
-    frame[i] = 0;
-    if (std::isnan(rays.x_m[i])) continue;
-    begins.pixels.push_back(i);
-    begins.points_m.emplace_back(rays.x_m[i] - view.eye_m.x, rays.y_m[i] - view.eye_m.y,
-                                 rays.z_m[i] - view.eye_m.z);
+    begins.pixels[count] = i;
+    begins.points_m[count] = {rays.x_m[i] - view.eye_m.x, rays.y_m[i] - view.eye_m.y,
+                              rays.z_m[i] - view.eye_m.z};
+    if (!std::isnan(rays.x_m[i])) ++count;
   }
+  begins.pixels.resize(count);
+  begins.points_m.resize(count);
   return begins;
+}
+
+// The cells in which shadow rays begin, and those beside them.
+CellRect cells_under(const Terrain& terrain, const BenchView& view, const ShadowRays& rays) {
+  glm::vec2 least(std::numeric_limits<float>::infinity());
+  glm::vec2 most = -least;
+  for (std::size_t i = 0; i < rays.x_m.size(); ++i) {
+    if (rays.x_m[i] < least.x) least.x = rays.x_m[i];
+    if (rays.x_m[i] > most.x) most.x = rays.x_m[i];
+    if (rays.y_m[i] < least.y) least.y = rays.y_m[i];
+    if (rays.y_m[i] > most.y) most.y = rays.y_m[i];
+  }
+  glm::dvec2 first(std::numeric_limits<double>::infinity());
+  glm::dvec2 last = -first;
+  for (const glm::vec2 corner :
+       {least, most, glm::vec2(least.x, most.y), glm::vec2(most.x, least.y)}) {
+    const glm::dvec2 uv =
+        terrain.layers()[0].map->to_grid(glm::dvec2(corner) - glm::dvec2(view.eye_m));
+    first = glm::min(first, uv);
+    last = glm::max(last, uv);
+  }
+  return {glm::max(glm::ivec2(first) - 1, 0), glm::ivec2(last) + 1};
 }
 
 }  // namespace
@@ -92,7 +118,7 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const SunMap
   std::atomic<std::int64_t> nodes = 0;
   parallel_for(rays.size_px.y, threads, [&](int row) {
     TraceCounts counts;
-    const ShadowRow begins = shadow_row(view, rays, row, frame);
+    const ShadowRow begins = shadow_row(view, rays, row);
     std::vector<std::uint8_t> stopped(begins.pixels.size());
     if (map) {
       shaded(terrain, *map, begins.points_m, stopped, counts);
@@ -102,6 +128,8 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const SunMap
       for (const glm::dvec3& point_m : begins.points_m) sunward.push_back({point_m, view.to_sun});
       occluded(terrain, sunward, stopped, counts);
     }
+    std::fill_n(frame.begin() + std::ptrdiff_t{row} * rays.size_px.x, rays.size_px.x,
+                std::uint8_t{0});
     for (std::size_t i = 0; i < stopped.size(); ++i) frame[begins.pixels[i]] = stopped[i];
     tests += counts.tests;
     nodes += counts.nodes;
@@ -110,11 +138,13 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const SunMap
 }
 
 std::shared_ptr<const SunMap> sun_map_of(const Terrain& terrain, const BenchView& view,
-                                         int threads) {
-  return SunMap::make(terrain, view.to_sun,
-                      [&](int count, const std::function<void(int index)>& work) {
-                        parallel_for(count, threads, work);
-                      });
+                                         const ShadowRays& rays, int threads) {
+  return SunMap::make(
+      terrain, view.to_sun,
+      [&](int count, const std::function<void(int index)>& work) {
+        parallel_for(count, threads, work);
+      },
+      cells_under(terrain, view, rays));
 }
 
 ShadowRays shadow_rays(const Terrain& terrain, const BenchView& view, const TracedFrame& frame) {

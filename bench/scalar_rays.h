@@ -22,8 +22,10 @@ FrameWork trace_rays(const Terrain& terrain, const Camera& camera, int threads, 
 // `map`: sun_map_of() them, or null.
 FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const SunMap* map,
                      const ShadowRays& rays, int threads, ShadowFrame& frame);
+// Of the part of the ground where `rays` begin.
 [[nodiscard]] std::shared_ptr<const SunMap> sun_map_of(const Terrain& terrain,
-                                                       const BenchView& view, int threads);
+                                                       const BenchView& view,
+                                                       const ShadowRays& rays, int threads);
 
 // Rays towards the sun from the ground that `frame` shows. They start where a float can say so, a
 // millimetre above the ground there, so that no contender meets the ground it leaves.

@@ -85,8 +85,9 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
     const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
     // On other Earths the rays of the benchmark, parallel in its frame, are not those of one sun.
     if (method.earth == BenchEarth::flat)
-      tracer.shadow = [terrain, &view, map = sun_map_of(*terrain, view, 0)](
-                          const ShadowRays& rays, int threads, ShadowFrame& frame) {
+      tracer.shadow = [terrain, &view, map = std::shared_ptr<const SunMap>()](
+                          const ShadowRays& rays, int threads, ShadowFrame& frame) mutable {
+        if (!map) map = sun_map_of(*terrain, view, rays, threads);
         return shade_rays(*terrain, view, map.get(), rays, threads, frame);
       };
     if (EyeFront::serves(*terrain)) {
@@ -112,7 +113,7 @@ Contender other_shadows(const BenchDem& dem, const char* name, bool makes_map) {
         terrain_on(BenchEarth::flat, dem, view, SurfaceModel::hyperboloid, Search::pyramid);
     const auto shade = [terrain, &view, makes_map](const ShadowRays& rays, int threads,
                                                    ShadowFrame& frame) {
-      const auto map = makes_map ? sun_map_of(*terrain, view, threads) : nullptr;
+      const auto map = makes_map ? sun_map_of(*terrain, view, rays, threads) : nullptr;
       return shade_rays(*terrain, view, map.get(), rays, threads, frame);
     };
     return {.primary = {}, .shadow = shade};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace terrview {
 
@@ -12,15 +13,23 @@ struct alignas(64) GridPoints {
   using Doubles = std::array<double, kMost>;
   using Ints = std::array<std::int32_t, kMost>;
 
-  // What a map of the sun says of a point; nowhere: in which cell it lies is not sure.
-  static constexpr std::int32_t kUnknown = 0, kLit = 1, kShaded = 2, kNowhere = 3;
+  struct List {
+    std::size_t count = 0;
+    Ints index;
+
+    void add(std::size_t i) { index[count++] = static_cast<std::int32_t>(i); }
+    [[nodiscard]] std::span<const std::int32_t> indices() const { return {index.data(), count}; }
+  };
 
   std::size_t count = 0;
   alignas(64) Doubles x_m, y_m;  // view frame
   alignas(64) Doubles height;    // in the grid's unit
   alignas(64) Doubles u, v;      // from the cell's first post, in posts
   alignas(64) Ints column, row;  // of the cell
-  alignas(64) Ints known;
+  // What a map of the sun says of them: 1 = shaded.
+  alignas(64) std::array<std::uint8_t, kMost> shaded;
+  List unknown;  // those of which it does not
+  List nowhere;  // of which it is not sure in which cell they lie
 };
 
 }  // namespace terrview

@@ -25,6 +25,10 @@ HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
 
+HWY_INLINE std::uint32_t lanes_from(std::size_t first, std::size_t count) {
+  return (1U << std::min(hn::Lanes(D()), count - first)) - 1;
+}
+
 // Looks points up in a map, lane by lane as SunMap::at() does; places as the map of the ground has
 // them.
 void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
@@ -35,6 +39,7 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
   const V last_row = of(terrain.layers()[0].grid->rows - 2);
   const hn::Rebind<std::int32_t, D> ints;
   const hn::Rebind<std::uint32_t, D> words;
+  points.unknown.count = points.nowhere.count = 0;
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(D())) {
     const V x = hn::Load(D(), points.x_m.data() + i);
     const V y = hn::Load(D(), points.y_m.data() + i);
@@ -69,10 +74,18 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
                             free_above < of(SunMap::Codes::kMost));
     const M lit = hn::Or(above, free_above == of(0));
     const M below = most_code < stopped_below - of(SunMap::Codes::kRounding);
-    const V known = hn::IfThenElse(lit, of(GridPoints::kLit),
-                                   hn::IfThenElseZero(below, of(GridPoints::kShaded)));
-    hn::Store(hn::DemoteTo(ints, hn::IfThenElse(sure, known, of(GridPoints::kNowhere))), ints,
-              points.known.data() + i);
+    const V known = hn::IfThenElseZero(below, of(1));
+    const hn::Rebind<std::uint8_t, D> bytes;
+    hn::StoreU(hn::DemoteTo(bytes, hn::DemoteTo(ints, hn::IfThenZeroElse(lit, known))), bytes,
+               points.shaded.data() + i);
+    const std::uint32_t decided = bits_of(hn::And(sure, hn::Or(lit, below)));
+    const std::uint32_t sure_bits = bits_of(sure);
+    std::uint32_t others = ~decided & lanes_from(i, points.count);
+    for (; others != 0; others &= others - 1) {
+      const auto lane = static_cast<std::uint32_t>(__builtin_ctz(others));
+      auto& list = (sure_bits >> lane & 1) != 0 ? points.unknown : points.nowhere;
+      list.add(i + lane);
+    }
     hn::Store(in_column, D(), points.u.data() + i);
     hn::Store(in_row, D(), points.v.data() + i);
     hn::Store(hn::DemoteTo(ints, column), ints, points.column.data() + i);
@@ -114,7 +127,12 @@ class ParallelRays {
         points_.height[i] = height(points_m_[first + i]);
       }
       HWY_DYNAMIC_DISPATCH(look_up)(terrain_, map_, points_);
-      for (std::size_t i = 0; i < points_.count; ++i) settle(first + i, i);
+      std::copy_n(points_.shaded.begin(), points_.count,
+                  shaded_.begin() + static_cast<std::ptrdiff_t>(first));
+      for (const std::int32_t i : points_.nowhere.indices())
+        ask(first + static_cast<std::size_t>(i));
+      for (const std::int32_t i : points_.unknown.indices())
+        find_out(first, static_cast<std::size_t>(i));
     }
     march_waiting();
   }
@@ -145,13 +163,11 @@ class ParallelRays {
     return (point_m.z + terrain_.frame().eye_height_m) / terrain_.frame().z_scale;
   }
 
-  void settle(std::size_t point, std::size_t i) {
-    const std::int32_t known = points_.known[i];
-    shaded_[point] = known == GridPoints::kShaded ? 1 : 0;
-    if (known == GridPoints::kNowhere || (known == GridPoints::kUnknown && !can_march_))
-      ask(point);
-    else if (known == GridPoints::kUnknown)
-      wait(point, i);
+  void find_out(std::size_t first, std::size_t i) {
+    if (can_march_)
+      wait(first + i, i);
+    else
+      ask(first + i);
   }
 
   void ask(std::size_t point) {
