@@ -19,7 +19,7 @@ constexpr int kHalvings = 5;
 constexpr int kObjectRays = 8;  // a strip
 
 // Cells of a sun map that are made while a point finds its shadow without one: where all rays are
-// parallel, and where tracks bend (docs/decisions/shadow-rays.md).
+// parallel, and where tracks bend (docs/decisions/sun-map.md).
 constexpr double kCellsAPoint = 15;
 constexpr double kCellsABentPoint = 60;
 

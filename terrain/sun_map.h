@@ -1,20 +1,15 @@
-// Which cells of a grid the sun shines on, all at once.
+// How high shadows are over the cells of a grid, all at once.
 //
-// Rays towards a sun are parallel where the Earth is flat and the grid's map linear. Along them
-// w = height + rise * line stays the same, where lines of posts, the rows or columns that the rays
-// cross most, are counted away from the sun; so a point is in shadow if and only if ground that
-// lies towards the sun, on its strip, has a larger w. The map sweeps the lines away from the sun
-// and keeps, for each strip of rays one post wide,
+// Rays towards the sun are parallel, or nearly. Along them w = height + rise * line stays the same,
+// where lines of posts, the rows or columns that the rays cross most, are counted away from the
+// sun. The map sweeps the lines away from the sun and keeps, for each strip of rays one post wide,
 //
 //   the horizon  no ray of the strip with a larger w is stopped by the ground passed so far,
 //   the wall     every ray of the strip with a smaller w is stopped by it.
 //
 // A cell on which w grows everywhere away from the sun stops no ray that comes down on it from
 // above, so it leaves the horizon as it was: that keeps slopes that face the sun from shading
-// themselves. docs/decisions/shadow-rays.md gives the proof.
-//
-// Source: Coquillart 1984, chapter 2 (shadows by a second view from the sun); the sweep of horizons
-// is that of relief shading, made conservative.
+// themselves. docs/decisions/sun-map.md gives the proof.
 #pragma once
 
 #include <cstddef>

@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "terrain/sun_map.h"
 #include "terrain/view_transform.h"
 #include "tests/support/scenes.h"
 
@@ -118,6 +121,50 @@ TEST(SunShares, OverRoughGroundAreThoseOfEveryPointOfTheDisc) {
   }
   EXPECT_GT(partly, 5);
   EXPECT_LT(counts.rays, 12 * static_cast<std::int64_t>(points.size()));
+}
+
+// The plain twin of a map of the sun: a ray a point.
+TEST(SunShares, AreTheSameWithAMapOfTheSun) {
+  const Place place{.eye_uv = {80, 95}, .spacing_m = {60, 90}, .eye_height_m = 2000};
+  const auto height_m = [](int column, int row) {
+    return 300 * std::sin(column * 0.17) * std::cos(row * 0.15) +
+           20 * std::sin(column * 0.9 + row * 0.7);
+  };
+  for (const double curvature : {0.0, 1 / 6.37e6}) {
+    Scene scene;
+    scene.terrain = std::make_shared<const Terrain>(
+        std::vector{make_layer(make_grid(160, 150, height_m), place)},
+        VerticalFrame{.eye_height_m = 2000,
+                      .north_curvature_per_m = curvature,
+                      .east_curvature_per_m = curvature},
+        SurfaceModel::hyperboloid);
+    scene.light.towards_sun = sun_at(205, 12);
+    std::vector<glm::dvec2> ground_m;
+    for (int i = 0; i < 4000; ++i)
+      ground_m.emplace_back(std::fmod(i * 37.7, 9000) - 4500, std::fmod(i * 91.3, 9000) - 4500);
+    std::vector<Hit> points = points_below(*scene.terrain, ground_m);
+    const std::size_t on_ground = points.size();
+    for (std::size_t i = 0; i < on_ground; i += 3) {  // of objects
+      Hit above{};
+      above.grid = kOffGround;
+      above.position_m = points[i].position_m + glm::dvec3(0, 0, 0.01 * static_cast<double>(i));
+      points.push_back(above);
+    }
+    EXPECT_FALSE(with_sun_map(scene, 10, 1).sun_map);  // not worth its while
+    const Scene mapped = with_sun_map(scene, 1000000, 1);
+    ASSERT_TRUE(mapped.sun_map);
+    ShadowCounts counts;
+    const auto with = sun_shares(shadow_casters(mapped), scene.light, points, counts);
+    ShadowCounts plain_counts;
+    const auto without = sun_shares(shadow_casters(scene), scene.light, points, plain_counts);
+    EXPECT_EQ(with, without);
+    EXPECT_EQ(counts.rays, plain_counts.rays);
+    const auto lit = std::count(without.begin(), without.end(), 1.0F);
+    EXPECT_GT(lit, 1000);
+    EXPECT_LT(lit, static_cast<std::ptrdiff_t>(points.size()) - 500);
+    scene.light.sun_radius_rad = kSunRadius_rad;
+    EXPECT_FALSE(with_sun_map(scene, 1000000, 1).sun_map);
+  }
 }
 
 TEST(SunShares, OfASunWithoutWidthAreAllOrNothingForOneRayEach) {
