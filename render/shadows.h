@@ -41,8 +41,8 @@ struct ShadowCounts {
 // of that of every point of the disc (tests/render/shadows_test.cpp). Objects may hide any part of
 // the strip above: eight rays tell how much. Adds to `counts`.
 //
-// Points that are not on the ground, as those of objects, lifted off them, have the grid kOffGround;
-// of these only the position counts.
+// Points that are not on the ground, as those of objects, lifted off them, have the grid
+// kOffGround; of these only the position counts.
 [[nodiscard]] std::vector<float> sun_shares(const ShadowCasters& casters, const Light& light,
                                             std::span<const Hit> points, ShadowCounts& counts);
 
