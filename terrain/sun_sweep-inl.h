@@ -42,10 +42,9 @@ class StripSweep {
   }
 
   void run() {
-    const int end = field_.lines() - 1;
-    for (int line = 0; line < end; line += kSunPanelLines) {
-      const int panel_end = std::min(line + kSunPanelLines, end);
-      if (load_panel(line, panel_end)) sweep_panel(line, panel_end);
+    for (int line = 0; line <= sweep_.last_line; line += kSunPanelLines) {
+      const int end = std::min(line + kSunPanelLines, field_.lines() - 1);
+      if (end > sweep_.first_line && load_panel(line, end)) sweep_panel(line, end);
       track_.next_panel();
       track_after_.next_panel();
     }
