@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "ingest/patch_jacobians.h"
+
 namespace terrview {
 namespace {
 
@@ -102,10 +104,12 @@ glm::dvec2 CurvedGroundMap::to_grid(glm::dvec2 ground_m) const {
 }
 
 glm::dmat2 CurvedGroundMap::jacobian(glm::dvec2 ground_m) const {
-  const glm::dvec2 from_centre = ground_m - disc_.centre_m;
-  const double share = std::max(1.0, glm::length(from_centre) / disc_.radius_m);
-  const glm::dvec2 point = disc_.centre_m + from_centre / share;
+  const glm::dvec2 point = disc_.nearest(ground_m);
   return patches_.leaf_at(point).patch.jacobian(point);
+}
+
+void CurvedGroundMap::jacobians(const GroundPoints& points, const Jacobians& found) const {
+  patch_jacobians(patches_, disc_, points, found);
 }
 
 double CurvedGroundMap::reach_m(glm::dvec2 direction) const {

@@ -90,7 +90,7 @@ class EyeProof {
       const V piece =
           hn::PromoteTo(D(), hn::LoadU(hn::Rebind<std::int32_t, D>(), finds_.piece.data() + first));
       const V sector = sectors_of(D(), r.x, r.y, tracks.sectors_a_side());
-      load_piece(tracks, eye_, sector, hn::IfThenElseZero(found, piece), r);
+      load_piece(tracks, eye_, sector, piece, found, r);
     } else {
       const LinearRates rates = rates_along({r.x, r.y, r.slope}, *map_.linear());
       r.begin = of(0);

@@ -142,7 +142,7 @@ class EyeScout {
     if (rays_.follows) s.w.g = hn::Max(s.w.g, safely(as_floats(rays_.clear_m, first)));
     if constexpr (kGround != Ground::flat) s.w.curvature = walk_.curvature(s.x, s.y);
     if constexpr (kBent) {
-      s.piece = lines_.piece_at(s.w.g);
+      s.piece = lines_.piece_at(hn::IfThenElseZero(s.w.g < hn::Inf(F()), s.w.g));
     } else {
       lines_.lay(s.w, s.x, s.y);
       // Along a line of posts floats would not know the side.

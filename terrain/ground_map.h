@@ -6,6 +6,8 @@
 // within kTrackError_rad of it as the eye sees them. The terrain never moves: rays bend.
 #pragma once
 
+#include <span>
+
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
@@ -34,6 +36,15 @@ class GroundMap {
 
   // d(u, v) / d(x, y): column 0 is the derivative by x, column 1 by y.
   [[nodiscard]] virtual glm::dmat2 jacobian(glm::dvec2 ground_m) const = 0;
+
+  // Those of many points, bit for bit, into arrays as long as theirs.
+  struct GroundPoints {
+    std::span<const double> x_m, y_m;
+  };
+  struct Jacobians {
+    std::span<double> u_by_x, v_by_x, u_by_y, v_by_y;
+  };
+  virtual void jacobians(const GroundPoints& points, const Jacobians& found) const;
 
   // How far along `line` the linear piece that starts at `from_m` may reach, in (from_m, limit_m].
   // Deterministic: it depends on its arguments alone.
