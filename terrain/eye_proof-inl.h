@@ -59,16 +59,16 @@ class EyeProof {
     r.x = line.x;
     r.y = line.y;
     r.slope = line.slope;
-    lay(r, found, first);
     r.column = hn::IfThenElseZero(found, column);
     r.row = hn::IfThenElseZero(found, cells(finds_.row, first));
-    const auto [corners, settled] = enter(grid_, eye_, r);
+    const Entry entry = lay(r, found, first);
+    const Corners& corners = entry.corners;
     const NextCrossing next = grid_.next_crossing(r, corners);
     const V in = r.slope * r.g - r.z;
     const V out = r.slope * next.g - next.z;
     const M meets = hn::And(hn::And(in >= of(0), out <= of(0)), next.g > r.g);
     const M whole = hn::And(next.has_ground, hn::Not(next.g > r.end));
-    const M hit = hn::And(hn::And(found, settled), hn::And(whole, meets));
+    const M hit = hn::And(hn::And(found, entry.settled), hn::And(whole, meets));
     const V share = hn::IfThenElseZero(in > of(0), in / (in - out));
     const Registers met = between(r, next, share);
     save(rays_.x, first, line.x);
@@ -83,25 +83,43 @@ class EyeProof {
       finds_.doubt(first + static_cast<std::size_t>(__builtin_ctz(left)), 0);
   }
 
-  // The line, or its piece.
-  HWY_INLINE void lay(Registers& r, M found, std::size_t first) const {
-    if constexpr (kBent) {
-      const EyeTracks& tracks = *map_.eye_tracks();
-      const V piece =
-          hn::PromoteTo(D(), hn::LoadU(hn::Rebind<std::int32_t, D>(), finds_.piece.data() + first));
-      const V sector = sectors_of(D(), r.x, r.y, tracks.sectors_a_side());
-      load_piece(tracks, eye_, sector, piece, found, r);
-    } else {
-      const LinearRates rates = rates_along({r.x, r.y, r.slope}, *map_.linear());
-      r.begin = of(0);
-      r.end = of(reach_m_);
-      r.start_u = of(eye_.u);
-      r.start_v = of(eye_.v);
-      r.rate_u = rates.u.rate;
-      r.rate_v = rates.v.rate;
-      r.metres_u = rates.u.metres;
-      r.metres_v = rates.v.metres;
-    }
+  // The lines, or their pieces, from where they come into the cells.
+  HWY_INLINE Entry lay(Registers& r, M found, std::size_t first) const {
+    if constexpr (kBent) return lay_pieces(r, found, first);
+    const LinearRates rates = rates_along({r.x, r.y, r.slope}, *map_.linear());
+    r.begin = of(0);
+    r.end = of(reach_m_);
+    r.start_u = of(eye_.u);
+    r.start_v = of(eye_.v);
+    r.rate_u = rates.u.rate;
+    r.rate_v = rates.v.rate;
+    r.metres_u = rates.u.metres;
+    r.metres_v = rates.v.metres;
+    return enter(grid_, eye_, r);
+  }
+
+  HWY_INLINE Entry lay_pieces(Registers& r, M found, std::size_t first) const {
+    const EyeTracks& tracks = *map_.eye_tracks();
+    const V piece =
+        hn::PromoteTo(D(), hn::LoadU(hn::Rebind<std::int32_t, D>(), finds_.piece.data() + first));
+    const V sector = sectors_of(D(), r.x, r.y, tracks.sectors_a_side());
+    load_piece(tracks, eye_, sector, piece, found, r);
+    Entry entry = enter(grid_, eye_, r);
+    const M early = hn::And(hn::AndNot(entry.settled, found), piece > of(0));
+    if (hn::AllFalse(D(), early)) return entry;
+    // The cells in which a knot lies were come into along the piece before.
+    Registers before = r;
+    load_piece(tracks, eye_, sector, piece - of(1), early, before);
+    const M entered = enter(grid_, eye_, before).settled;
+    const M has_knot =
+        hn::And(before.g <= before.end, grid_.next_crossing(before, entry.corners).g > before.end);
+    const M over_knot = hn::And(hn::And(early, entered), has_knot);
+    r.g = hn::IfThenElse(over_knot, before.g, r.g);
+    r.u = hn::IfThenElse(over_knot, before.u, r.u);
+    r.v = hn::IfThenElse(over_knot, before.v, r.v);
+    r.z = hn::IfThenElse(over_knot, before.z, r.z);
+    entry.settled = hn::Or(entry.settled, over_knot);
+    return entry;
   }
 
   VectorGrid grid_;
