@@ -30,19 +30,39 @@ class EyeProof {
   EyeProof(const Terrain& terrain, EyeRays& rays, ScoutFinds& finds)
       : grid_(terrain),
         eye_(terrain),
-        map_(*terrain.layers()[0].map),
+        jacobian_(terrain.layers()[0].map->linear()),
+        tracks_(terrain.layers()[0].map->eye_tracks()),
         reach_m_(terrain.reach_m()),
         rays_(rays),
         finds_(finds) {}
 
   // Writes the hits; rays whose cell proves another are unsure.
   void run() {
+    for (std::size_t i = 0; i < rays_.count; i += hn::Lanes(D())) aim(i);
     for (std::size_t i = 0; i < rays_.count; i += hn::Lanes(D())) prove(i);
   }
 
  private:
+  using IntTag = hn::Rebind<std::int32_t, D>;
+
   static HWY_INLINE V cells(const ScoutSet::Floats& values, std::size_t first) {
     return hn::PromoteTo(D(), hn::LoadU(hn::Rebind<float, D>(), values.data() + first));
+  }
+
+  // Lines come first, all of them: what is found on them need not wait.
+  HWY_INLINE void aim(std::size_t first) {
+    if (hn::AllFalse(D(), cells(finds_.column, first) >= of(0))) return;
+    const VectorLine line =
+        line_under(load(rays_.direction_x, first), load(rays_.direction_y, first),
+                   load(rays_.direction_z, first));
+    save(rays_.x, first, line.x);
+    save(rays_.y, first, line.y);
+    save(rays_.slope, first, line.slope);
+    if constexpr (kBent) {
+      const V sector = sectors_of(D(), line.x, line.y, tracks_->sectors_a_side());
+      hn::Store(hn::DemoteTo(IntTag(), sector * of(tracks_->pieces())), IntTag(),
+                first_piece_.data() + first);
+    }
   }
 
   HWY_INLINE void prove(std::size_t first) {
@@ -52,13 +72,10 @@ class EyeProof {
       save(rays_.ground_m, first, of(-1));
       return;
     }
-    const VectorLine line =
-        line_under(load(rays_.direction_x, first), load(rays_.direction_y, first),
-                   load(rays_.direction_z, first));
     Registers r;
-    r.x = line.x;
-    r.y = line.y;
-    r.slope = line.slope;
+    r.x = load(rays_.x, first);
+    r.y = load(rays_.y, first);
+    r.slope = load(rays_.slope, first);
     r.column = hn::IfThenElseZero(found, column);
     r.row = hn::IfThenElseZero(found, cells(finds_.row, first));
     const Entry entry = lay(r, found, first);
@@ -71,9 +88,6 @@ class EyeProof {
     const M hit = hn::And(hn::And(found, entry.settled), hn::And(whole, meets));
     const V share = hn::IfThenElseZero(in > of(0), in / (in - out));
     const Registers met = between(r, next, share);
-    save(rays_.x, first, line.x);
-    save(rays_.y, first, line.y);
-    save(rays_.slope, first, line.slope);
     save(rays_.ground_m, first, hn::IfThenElse(hit, met.g, of(-1)));
     save(rays_.u, first, met.u);
     save(rays_.v, first, met.v);
@@ -86,7 +100,7 @@ class EyeProof {
   // The lines, or their pieces, from where they come into the cells.
   HWY_INLINE Entry lay(Registers& r, M found, std::size_t first) const {
     if constexpr (kBent) return lay_pieces(r, found, first);
-    const LinearRates rates = rates_along({r.x, r.y, r.slope}, *map_.linear());
+    const LinearRates rates = rates_along({r.x, r.y, r.slope}, *jacobian_);
     r.begin = of(0);
     r.end = of(reach_m_);
     r.start_u = of(eye_.u);
@@ -99,17 +113,15 @@ class EyeProof {
   }
 
   HWY_INLINE Entry lay_pieces(Registers& r, M found, std::size_t first) const {
-    const EyeTracks& tracks = *map_.eye_tracks();
-    const V piece =
-        hn::PromoteTo(D(), hn::LoadU(hn::Rebind<std::int32_t, D>(), finds_.piece.data() + first));
-    const V sector = sectors_of(D(), r.x, r.y, tracks.sectors_a_side());
-    load_piece(tracks, eye_, sector, piece, found, r);
+    const auto first_piece = hn::Load(IntTag(), first_piece_.data() + first);
+    const auto piece = hn::Load(IntTag(), finds_.piece.data() + first);
+    load_piece(*tracks_, eye_, first_piece, piece, found, r);
     Entry entry = enter(grid_, eye_, r);
-    const M early = hn::And(hn::AndNot(entry.settled, found), piece > of(0));
+    const M early = hn::And(hn::AndNot(entry.settled, found), r.begin > of(0));
     if (hn::AllFalse(D(), early)) return entry;
     // The cells in which a knot lies were come into along the piece before.
     Registers before = r;
-    load_piece(tracks, eye_, sector, piece - of(1), early, before);
+    load_piece(*tracks_, eye_, first_piece, piece - hn::Set(IntTag(), 1), early, before);
     const M entered = enter(grid_, eye_, before).settled;
     const M has_knot =
         hn::And(before.g <= before.end, grid_.next_crossing(before, entry.corners).g > before.end);
@@ -124,10 +136,12 @@ class EyeProof {
 
   VectorGrid grid_;
   EyeCell eye_;
-  const GroundMap& map_;
+  const glm::dmat2* jacobian_;
+  const EyeTracks* tracks_;
   double reach_m_;
   EyeRays& rays_;
   ScoutFinds& finds_;
+  alignas(64) ScoutSet::Ints first_piece_;  // of bent tracks
 };
 
 }  // namespace HWY_NAMESPACE

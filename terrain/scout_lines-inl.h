@@ -80,20 +80,24 @@ class ScoutLines<Ground::bent> {
     return hn::ConvertTo(I(), pieces_at(F(), tracks_.knots_m(), g));
   }
 
-  // Loads pieces; of other lanes than `lanes`, any.
-  HWY_INLINE void lay(Walker::Walk& w, VF x, VF y, VI piece, MF lanes) const {
+  // The first pieces of the tracks of directions.
+  HWY_INLINE VI first_piece(VF x, VF y) const {
+    return hn::ConvertTo(I(), sectors_of(F(), x, y, tracks_.sectors_a_side())) *
+           hn::Set(I(), tracks_.pieces());
+  }
+
+  // Loads pieces, counted from first ones; of other lanes than `lanes`, any.
+  HWY_INLINE void lay(Walker::Walk& w, VF x, VF y, VI first_piece, VI piece, MF lanes) const {
     const std::uint32_t wanted = mask_bits(F(), lanes);
-    const VF at = hn::ConvertTo(F(), piece);
-    const VF row = sectors_of(F(), x, y, tracks_.sectors_a_side()) * of(tracks_.pieces()) + at;
-    const auto line = shared_rows<EyeTracks::kCoefficients>(F(), tracks_.lines().data(),
-                                                            EyeTracks::kCoefficients, row, wanted);
+    const auto line = shared_rows<EyeTracks::kCoefficients>(
+        F(), tracks_.lines().data(), EyeTracks::kCoefficients, first_piece + piece, wanted);
     w.base_u = of(eye_.x) + (line[0] * x + line[1] * y);
     w.base_v = of(eye_.y) + (line[2] * x + line[3] * y);
     w.rate_u = line[4] * x + line[5] * y;
     w.rate_v = line[6] * x + line[7] * y;
     w.metres_u = hn::Set(F(), 1.0F) / w.rate_u;
     w.metres_v = hn::Set(F(), 1.0F) / w.rate_v;
-    w.end = shared_rows<1>(F(), tracks_.near_knots_m().data() + 1, 1, at, wanted)[0];
+    w.end = shared_rows<1>(F(), tracks_.near_knots_m().data() + 1, 1, piece, wanted)[0];
   }
 
  private:

@@ -59,15 +59,15 @@ HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V sha
   return met;
 }
 
-// Loads pieces of the tracks of a sector of EyeTracks, for lines whose directions `r` holds; of
+// Loads pieces, counted from the first ones of tracks, for lines whose directions `r` holds; of
 // other lanes than `lanes`, any.
-HWY_INLINE void load_piece(const EyeTracks& tracks, const EyeCell& eye, V sector, V piece, M lanes,
-                           Registers& r) {
+using VectorInts = hn::Vec<hn::Rebind<std::int32_t, D>>;
+HWY_INLINE void load_piece(const EyeTracks& tracks, const EyeCell& eye, VectorInts first_piece,
+                           VectorInts piece, M lanes, Registers& r) {
   const std::uint32_t wanted = bits_of(lanes);
   const auto [begin, end] = shared_rows<2>(D(), tracks.knots_m().data(), 1, piece, wanted);
   const auto line = shared_rows<EyeTracks::kCoefficients>(
-      D(), tracks.coefficients().data(), EyeTracks::kCoefficients,
-      sector * of(tracks.pieces()) + piece, wanted);
+      D(), tracks.coefficients().data(), EyeTracks::kCoefficients, first_piece + piece, wanted);
   r.begin = begin;
   r.end = end;
   r.start_u = of(eye.u) + (line[0] * r.x + line[1] * r.y);
@@ -227,7 +227,9 @@ class SetWalk {
   // Loads the pieces of the tracks that distances lie on.
   HWY_INLINE void load_pieces(Registers& r, std::size_t first, V from_m, M lanes) const {
     const V piece = pieces_at(D(), tracks_->knots_m(), hn::IfThenElseZero(lanes, from_m));
-    load_piece(*tracks_, eye_, load(set_.sector, first), piece, lanes, r);
+    const hn::Rebind<std::int32_t, D> ints;
+    load_piece(*tracks_, eye_, hn::DemoteTo(ints, load(set_.sector, first) * of(tracks_->pieces())),
+               hn::DemoteTo(ints, piece), lanes, r);
   }
 
   // Puts rays into their cells at a distance. False: that is not over the grid.

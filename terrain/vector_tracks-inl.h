@@ -36,25 +36,27 @@ HWY_INLINE hn::Vec<Tag> pieces_at(Tag d, const std::vector<double>& knots_m, hn:
 // of one that is. Neighbouring rays share rows: to load each row once takes less than gathers.
 template <std::size_t kCount, class Tag>
 HWY_INLINE std::array<hn::Vec<Tag>, kCount> shared_rows(Tag d, const hn::TFromD<Tag>* table,
-                                                        std::size_t stride, hn::Vec<Tag> row,
+                                                        std::size_t stride,
+                                                        hn::Vec<hn::Rebind<std::int32_t, Tag>> row,
                                                         std::uint32_t lanes) {
-  alignas(64) std::array<hn::TFromD<Tag>, hn::MaxLanes(d)> rows;
-  hn::Store(row, d, rows.data());
+  const hn::Rebind<std::int32_t, Tag> ints;
+  alignas(64) std::array<std::int32_t, hn::MaxLanes(d)> rows;
+  hn::Store(row, ints, rows.data());
   std::array<hn::Vec<Tag>, kCount> values;
-  if (lanes == 0) {
-    values.fill(hn::Zero(d));
-    return values;
-  }
-  const auto first = rows[static_cast<std::size_t>(__builtin_ctz(lanes))];
-  const hn::TFromD<Tag>* from = table + static_cast<std::size_t>(first) * stride;
-  for (std::size_t i = 0; i < kCount; ++i) values[i] = hn::Set(d, from[i]);
-  for (std::uint32_t left = lanes & ~mask_bits(d, row == hn::Set(d, first)); left != 0;) {
-    const auto next = rows[static_cast<std::size_t>(__builtin_ctz(left))];
-    const auto here = row == hn::Set(d, next);
-    from = table + static_cast<std::size_t>(next) * stride;
-    for (std::size_t i = 0; i < kCount; ++i)
-      values[i] = hn::IfThenElse(here, hn::Set(d, from[i]), values[i]);
-    left &= ~mask_bits(d, here);
+  values.fill(hn::Zero(d));
+  bool is_first = true;
+  for (std::uint32_t left = lanes; left != 0; is_first = false) {
+    const std::int32_t next = rows[static_cast<std::size_t>(__builtin_ctz(left))];
+    const std::uint32_t here = mask_bits(ints, row == hn::Set(ints, next));
+    const hn::TFromD<Tag>* from = table + static_cast<std::size_t>(next) * stride;
+    if (is_first) {
+      for (std::size_t i = 0; i < kCount; ++i) values[i] = hn::Set(d, from[i]);
+    } else {
+      const auto taken = mask_from(d, here);
+      for (std::size_t i = 0; i < kCount; ++i)
+        values[i] = hn::IfThenElse(taken, hn::Set(d, from[i]), values[i]);
+    }
+    left &= ~here;
   }
   return values;
 }
