@@ -134,19 +134,22 @@ int EyeTracks::piece_at(double from_m) const {
   return static_cast<int>(beyond - knots_m_.begin()) - 1;
 }
 
+EyeTracks::Start EyeTracks::start(int sector, int piece, glm::dvec2 direction) const {
+  const auto row = static_cast<std::size_t>(sector) * static_cast<std::size_t>(pieces()) +
+                   static_cast<std::size_t>(piece);
+  const double* c = coefficients_.data() + row * kCoefficients;
+  return {eye_uv_ + glm::dvec2(c[0] * direction.x + c[1] * direction.y,
+                               c[2] * direction.x + c[3] * direction.y),
+          {c[4] * direction.x + c[5] * direction.y, c[6] * direction.x + c[7] * direction.y}};
+}
+
 TrackPiece EyeTracks::piece(glm::dvec2 direction, double from_m, double to_m) const {
-  const auto i = static_cast<std::size_t>(piece_at(from_m));
-  const auto at = static_cast<std::size_t>(sector_of(direction, sectors_a_side_)) *
-                  static_cast<std::size_t>(pieces());
-  const double* c = coefficients_.data() + (at + i) * kCoefficients;
-  TrackPiece piece{
-      knots_m_[i],
-      std::max(from_m, std::min(knots_m_[i + 1], to_m)),
-      eye_uv_ + glm::dvec2(c[0] * direction.x + c[1] * direction.y,
-                           c[2] * direction.x + c[3] * direction.y),
-      {},
-      {c[4] * direction.x + c[5] * direction.y, c[6] * direction.x + c[7] * direction.y},
-      {0, 0}};
+  const int i = piece_at(from_m);
+  const auto at = static_cast<std::size_t>(i);
+  const Start begin = start(sector_of(direction, sectors_a_side_), i, direction);
+  TrackPiece piece{knots_m_[at], std::max(from_m, std::min(knots_m_[at + 1], to_m)),
+                   begin.uv,     {},
+                   begin.rate,   {0, 0}};
   set_metres(piece);
   piece.end = piece.at(piece.end_m);
   return piece;

@@ -27,6 +27,14 @@ class EyeTracks {
   // where two meet the one beyond, cut off at `to_m`.
   [[nodiscard]] TrackPiece piece(glm::dvec2 direction, double from_m, double to_m) const;
 
+  // Where that line starts piece `piece` of the table, of the sector its direction lies in, and its
+  // rate there.
+  struct Start {
+    glm::dvec2 uv;
+    glm::dvec2 rate;
+  };
+  [[nodiscard]] Start start(int sector, int piece, glm::dvec2 direction) const;
+
   // Sectors are those of terrain/square_sectors.h.
   [[nodiscard]] int sectors_a_side() const { return sectors_a_side_; }
   [[nodiscard]] int pieces() const { return static_cast<int>(knots_m_.size()) - 1; }
