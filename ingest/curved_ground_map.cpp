@@ -144,6 +144,17 @@ double CurvedGroundMap::end_inside(const GroundLine& line, double from_m, double
   }
 }
 
+double CurvedGroundMap::slack_cells(const GroundLine& line, double from_m, double to_m) const {
+  const glm::dvec2 start = to_grid(line.at(from_m));
+  const glm::dvec2 end = to_grid(line.at(to_m));
+  // No point between is nearer, on a track as good as straight.
+  const double nearest_cells =
+      (distance_from_grid(start, last_post_) + distance_from_grid(end, last_post_) -
+       1.1 * glm::distance(start, end)) /
+      2;
+  return kDistantError * std::max(0.0, nearest_cells);
+}
+
 // Half the step until three points of the chord are near enough to the curve. No posts lie here.
 double CurvedGroundMap::end_outside(const GroundLine& line, double from_m, double limit_m) const {
   constexpr int kHalvings = 40;

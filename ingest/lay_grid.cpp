@@ -104,8 +104,8 @@ std::optional<double> pole_within(const ExactGroundMap& exact, const GroundDisc&
 }
 
 // The smallest disc that holds another and the eye, where that sees some of the grid: tracks from
-// the eye are then smooth all along. The other one where the eye is in it, or hardly near, or where
-// a pole lies between them.
+// the eye are then smooth all along. The other one alone where the eye is in it, or far from it, or
+// where the map has a pole between them.
 GroundDisc with_eye(const ExactGroundMap& exact, const GroundDisc& disc, double sight_m) {
   constexpr double kFurthest_m = 1e6;
   const double away_m = glm::length(disc.centre_m);
@@ -114,7 +114,7 @@ GroundDisc with_eye(const ExactGroundMap& exact, const GroundDisc& disc, double 
   const double far_m = away_m + disc.radius_m;
   const double radius_m = kDiscMargin * far_m / 2;
   const GroundDisc both{disc.centre_m / away_m * (far_m - radius_m), radius_m};
-  return pole_within(exact, both) ? disc : both;
+  return exact.turn() && pole_within(exact, both) ? disc : both;
 }
 
 LaidGrid lay(const ExactGroundMap& exact, glm::ivec2 grid_size, const Place& place,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -117,12 +118,22 @@ bool EyeTracks::is_close_to(const GroundMap& map) const {
       const glm::dvec2 exact = map.to_grid(direction * g_m);
       const double error = glm::distance(piece(direction, knots_m_[i - 1], g_m).end, exact);
       const double cells_per_rad = glm::length(exact - eye_uv_);
-      if (!(error <= kShareOfLimit * GroundMap::kTrackError_cells) ||
-          !(error <= kShareOfLimit * GroundMap::kTrackError_rad * std::max(1.0, cells_per_rad)))
-        return false;
+      const double limit =
+          kShareOfLimit * std::min(GroundMap::kTrackError_cells,
+                                   GroundMap::kTrackError_rad * std::max(1.0, cells_per_rad));
+      if (!(error <= limit) && !(error <= slack_cells(map, sector, i))) return false;
     }
   }
   return true;
+}
+
+double EyeTracks::slack_cells(const GroundMap& map, int sector, std::size_t knot) const {
+  const double from_m = knots_m_[knot - 1];
+  const double to_m = knots_m_[std::min(knot + 1, knots_m_.size() - 1)];
+  double least = std::numeric_limits<double>::infinity();
+  for (const double share : {0.0, 0.5, 1.0})
+    least = std::min(least, map.slack_cells({{0, 0}, edge(sector, share)}, from_m, to_m));
+  return least;
 }
 
 glm::dvec2 EyeTracks::edge(int sector, double share) const {

@@ -51,6 +51,13 @@ class GroundMap {
   [[nodiscard]] virtual double piece_end_m(const GroundLine& line, double from_m,
                                            double limit_m) const = 0;
 
+  // How much further than kTrackError_cells tracks may stray all along a part of a line: some of
+  // the way to the nearest post where none is near.
+  [[nodiscard]] virtual double slack_cells(const GroundLine& /*line*/, double /*from_m*/,
+                                           double /*to_m*/) const {
+    return 0;
+  }
+
   // The jacobian, where it is the same everywhere and every line is one piece; else null.
   [[nodiscard]] virtual const glm::dmat2* linear() const { return nullptr; }
 
