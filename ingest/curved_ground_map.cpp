@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "ingest/patch_jacobians.h"
+
 namespace terrview {
 namespace {
 
@@ -102,10 +104,12 @@ glm::dvec2 CurvedGroundMap::to_grid(glm::dvec2 ground_m) const {
 }
 
 glm::dmat2 CurvedGroundMap::jacobian(glm::dvec2 ground_m) const {
-  const glm::dvec2 from_centre = ground_m - disc_.centre_m;
-  const double share = std::max(1.0, glm::length(from_centre) / disc_.radius_m);
-  const glm::dvec2 point = disc_.centre_m + from_centre / share;
+  const glm::dvec2 point = disc_.nearest(ground_m);
   return patches_.leaf_at(point).patch.jacobian(point);
+}
+
+void CurvedGroundMap::jacobians(const GroundPoints& points, const Jacobians& found) const {
+  patch_jacobians(patches_, disc_, points, found);
 }
 
 double CurvedGroundMap::reach_m(glm::dvec2 direction) const {
@@ -138,6 +142,17 @@ double CurvedGroundMap::end_inside(const GroundLine& line, double from_m, double
     if (end_m <= out_m || out_m >= limit_m) return std::clamp(end_m, at_m, limit_m);
     at_m = out_m;
   }
+}
+
+double CurvedGroundMap::slack_cells(const GroundLine& line, double from_m, double to_m) const {
+  const glm::dvec2 start = to_grid(line.at(from_m));
+  const glm::dvec2 end = to_grid(line.at(to_m));
+  // No point between is nearer, on a track as good as straight.
+  const double nearest_cells =
+      (distance_from_grid(start, last_post_) + distance_from_grid(end, last_post_) -
+       1.1 * glm::distance(start, end)) /
+      2;
+  return kDistantError * std::max(0.0, nearest_cells);
 }
 
 // Half the step until three points of the chord are near enough to the curve. No posts lie here.

@@ -7,17 +7,12 @@
 
 #include <optional>
 
+#include "ingest/ground_disc.h"
 #include "ingest/patch_tree.h"
 #include "terrain/eye_tracks.h"
 #include "terrain/ground_map.h"
 
 namespace terrview {
-
-// The ground that a grid takes up: all of it lies in the disc, or all of it that can matter.
-struct GroundDisc {
-  glm::dvec2 centre_m{0, 0};
-  double radius_m = 1;
-};
 
 class CurvedGroundMap final : public GroundMap {
  public:
@@ -27,8 +22,11 @@ class CurvedGroundMap final : public GroundMap {
 
   [[nodiscard]] glm::dvec2 to_grid(glm::dvec2 ground_m) const override;
   [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const override;
+  void jacobians(const GroundPoints& points, const Jacobians& found) const override;
   [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
                                    double limit_m) const override;
+  [[nodiscard]] double slack_cells(const GroundLine& line, double from_m,
+                                   double to_m) const override;
   [[nodiscard]] double reach_m() const override { return reach_m_; }
   [[nodiscard]] double reach_m(glm::dvec2 direction) const override;
 

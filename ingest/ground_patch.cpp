@@ -11,10 +11,24 @@ namespace terrview {
 namespace {
 
 constexpr int kNodes = GroundPatch::kNodes;
+constexpr int kDegree = GroundPatch::kDegree;
 using Table = std::array<std::array<double, kNodes>, kNodes>;
 
-// The first of the terms x^i, x^i y, x^i y^2, ...
-constexpr int first_term(int i) { return i * (2 * kNodes + 1 - i) / 2; }
+// The first of the terms x^i, x^i y, x^i y^2, ... of a polynomial of this degree.
+constexpr int first_term(int i, int degree = kDegree) { return i * (2 * degree + 3 - i) / 2; }
+
+// The polynomial of such terms at a point, by Horner's scheme.
+template <int kAnyDegree, class Value>
+Value value(const Value* terms, glm::dvec2 p) {
+  Value sum(0);
+  for (int i = kAnyDegree; i >= 0; --i) {
+    const Value* const row = terms + first_term(i, kAnyDegree);
+    Value inner = row[kAnyDegree - i];
+    for (int j = kAnyDegree - i - 1; j >= 0; --j) inner = inner * p.y + row[j];
+    sum = sum * p.x + inner;
+  }
+  return sum;
+}
 
 double node(int index) { return -std::cos(std::numbers::pi * (index + 0.5) / kNodes); }
 
@@ -50,7 +64,7 @@ GroundPatch::Nodes GroundPatch::nodes(const GroundSquare& square) {
 }
 
 GroundPatch::GroundPatch(const GroundSquare& square, const Nodes& uv_at_nodes)
-    : square_(square), per_half_m_(1 / square.half_m), terms_{} {
+    : square_(square), per_half_m_(1 / square.half_m), terms_{}, slope_terms_{} {
   static const Table weights = chebyshev_weights();
   static const Table powers = chebyshev_coefficients();
   for (std::size_t k = 0; k < kNodes; ++k) {
@@ -65,7 +79,19 @@ GroundPatch::GroundPatch(const GroundSquare& square, const Nodes& uv_at_nodes)
               powers[k][i] * powers[l][j] * coefficient;
     }
   }
+  find_slopes();
   find_bounds();
+}
+
+void GroundPatch::find_slopes() {
+  for (int i = 0; i < kDegree; ++i) {
+    for (int j = 0; i + j < kDegree; ++j) {
+      const glm::dvec2 by_x = terms_[static_cast<std::size_t>(first_term(i + 1) + j)];
+      const glm::dvec2 by_y = terms_[static_cast<std::size_t>(first_term(i) + j + 1)];
+      slope_terms_[static_cast<std::size_t>(first_term(i, kDegree - 1) + j)] =
+          per_half_m_ * glm::dmat2((i + 1.0) * by_x, (j + 1.0) * by_y);
+    }
+  }
 }
 
 void GroundPatch::find_bounds() {
@@ -90,33 +116,11 @@ double GroundPatch::metres(glm::dvec2 steps) const {
 }
 
 glm::dvec2 GroundPatch::at(glm::dvec2 ground_m) const {
-  const glm::dvec2 p = (ground_m - square_.centre_m) * per_half_m_;
-  glm::dvec2 sum(0);
-  for (int i = kDegree; i >= 0; --i) {
-    const glm::dvec2* const row = terms_.data() + first_term(i);
-    glm::dvec2 inner = row[kDegree - i];
-    for (int j = kDegree - i - 1; j >= 0; --j) inner = inner * p.y + row[j];
-    sum = sum * p.x + inner;
-  }
-  return sum;
+  return value<kDegree>(terms_.data(), (ground_m - square_.centre_m) * per_half_m_);
 }
 
 glm::dmat2 GroundPatch::jacobian(glm::dvec2 ground_m) const {
-  const glm::dvec2 p = (ground_m - square_.centre_m) * per_half_m_;
-  glm::dvec2 by_x(0);
-  glm::dvec2 by_y(0);
-  for (int i = kDegree; i >= 0; --i) {
-    const glm::dvec2* const row = terms_.data() + first_term(i);
-    glm::dvec2 inner(0);
-    glm::dvec2 slope(0);
-    for (int j = kDegree - i; j >= 0; --j) {
-      slope = slope * p.y + inner;
-      inner = inner * p.y + row[j];
-    }
-    if (i > 0) by_x = by_x * p.x + static_cast<double>(i) * inner;
-    by_y = by_y * p.x + slope;
-  }
-  return {by_x * per_half_m_, by_y * per_half_m_};
+  return value<kDegree - 1>(slope_terms_.data(), (ground_m - square_.centre_m) * per_half_m_);
 }
 
 glm::dvec2 GroundPatch::bend(glm::dvec2 direction) const {

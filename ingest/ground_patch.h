@@ -35,6 +35,12 @@ class GroundPatch {
   [[nodiscard]] glm::dvec2 at(glm::dvec2 ground_m) const;
   [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const;
 
+  // What jacobian() is made of: a polynomial in the point's share of the square, terms of x^i y^j,
+  // i + j < kDegree, by i, then j.
+  using SlopeTerms = std::array<glm::dmat2, kDegree*(kDegree + 1) / 2>;
+  [[nodiscard]] const SlopeTerms& slope_terms() const { return slope_terms_; }
+  [[nodiscard]] double shares_per_m() const { return per_half_m_; }
+
   // How much a line of a direction can bend on the square: bounds of |u''| and |v''| per metre
   // squared.
   [[nodiscard]] glm::dvec2 bend(glm::dvec2 direction) const;
@@ -54,11 +60,13 @@ class GroundPatch {
     glm::dvec3 v;
   };
 
+  void find_slopes();
   void find_bounds();
 
   GroundSquare square_;
   double per_half_m_;
   std::array<glm::dvec2, kTerms> terms_;  // of x^i y^j, i + j <= kDegree, by i, then j
+  SlopeTerms slope_terms_;
   SecondDerivative central_{};
   SecondDerivative spread_{};
   glm::dvec2 cell_m_{0, 0};

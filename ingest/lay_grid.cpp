@@ -96,9 +96,33 @@ std::shared_ptr<const GroundMap> affine_map(const ExactGroundMap& exact, glm::iv
   return std::make_shared<AffineGroundMap>(eye_uv, jacobian, grid_size);
 }
 
-LaidGrid lay(const ExactGroundMap& exact, glm::ivec2 grid_size, const Place& place) {
+std::optional<double> pole_within(const ExactGroundMap& exact, const GroundDisc& disc) {
+  for (const double latitude_deg : {90.0, -90.0})
+    if (glm::distance(exact.to_ground(GeoPoint{latitude_deg, 0}), disc.centre_m) <= disc.radius_m)
+      return latitude_deg;
+  return std::nullopt;
+}
+
+// The smallest disc that holds another and the eye, where that sees some of the grid: tracks from
+// the eye are then smooth all along. The other one alone where the eye is in it, or far from it, or
+// where the map has a pole between them.
+GroundDisc with_eye(const ExactGroundMap& exact, const GroundDisc& disc, double sight_m) {
+  constexpr double kFurthest_m = 1e6;
+  const double away_m = glm::length(disc.centre_m);
+  if (away_m < disc.radius_m || away_m - disc.radius_m > std::min(sight_m, kFurthest_m))
+    return disc;
+  const double far_m = away_m + disc.radius_m;
+  const double radius_m = kDiscMargin * far_m / 2;
+  const GroundDisc both{disc.centre_m / away_m * (far_m - radius_m), radius_m};
+  return exact.turn() && pole_within(exact, both) ? disc : both;
+}
+
+LaidGrid lay(const ExactGroundMap& exact, glm::ivec2 grid_size, const Place& place,
+             double sight_m) {
   std::shared_ptr<const GroundMap> map = affine_map(exact, grid_size, place.disc);
-  if (!map) map = std::make_shared<CurvedGroundMap>(exact, grid_size, place.disc, place.reach_m);
+  if (!map)
+    map = std::make_shared<CurvedGroundMap>(exact, grid_size, with_eye(exact, place.disc, sight_m),
+                                            place.reach_m);
   return {std::move(map), exact};
 }
 
@@ -118,13 +142,6 @@ bool meets_grid(const ExactGroundMap& exact, glm::dvec2 last_post, const GroundD
   });
 }
 
-std::optional<double> pole_within(const ExactGroundMap& exact, const GroundDisc& disc) {
-  for (const double latitude_deg : {90.0, -90.0})
-    if (glm::distance(exact.to_ground(GeoPoint{latitude_deg, 0}), disc.centre_m) <= disc.radius_m)
-      return latitude_deg;
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::vector<LaidGrid> lay_grid(const ExactGroundMap& exact, glm::ivec2 grid_size, double sight_m) {
@@ -132,10 +149,10 @@ std::vector<LaidGrid> lay_grid(const ExactGroundMap& exact, glm::ivec2 grid_size
   ExactGroundMap near_grid = exact;
   near_grid.set_near(0.5 * last_post);
   const Place place = find_place(near_grid, last_post, sight_m);
-  if (!near_grid.turn()) return {lay(near_grid, grid_size, place)};
+  if (!near_grid.turn()) return {lay(near_grid, grid_size, place, sight_m)};
   if (const auto pole_deg = pole_within(near_grid, place.disc)) {
     near_grid.part_at_pole(*pole_deg, grid_size);
-    return {lay(near_grid, grid_size, place)};
+    return {lay(near_grid, grid_size, place, sight_m)};
   }
   const glm::dvec2 centre_uv = near_grid.to_grid(place.disc.centre_m);
   std::vector<LaidGrid> laid;
@@ -143,7 +160,7 @@ std::vector<LaidGrid> lay_grid(const ExactGroundMap& exact, glm::ivec2 grid_size
     ExactGroundMap turned = near_grid;
     turned.set_near(centre_uv + turns * *near_grid.turn());
     if (turns == 0 || meets_grid(turned, last_post, place.disc))
-      laid.push_back(lay(turned, grid_size, place));
+      laid.push_back(lay(turned, grid_size, place, sight_m));
   }
   return laid;
 }

@@ -197,11 +197,29 @@ PatchTree::PatchTree(const ExactGroundMap& exact, glm::ivec2 grid_size, const Gr
           {square.at(corner), square.half_m / 2}, error);
     }
   }
+  const glm::dvec2 everywhere(std::numeric_limits<double>::infinity());
+  share_out(nodes_[0], -everywhere, everywhere);
   if (!(error_cells() <= kNarrowError_cells))
     throw InputError("'" + exact.dem() +
                      "': its coordinates bend too sharply within sight of the eye, near a pole or "
                      "the edge of its projection: warp it to a projection made for the place "
                      "with gdalwarp");
+}
+
+void PatchTree::share_out(const Node& node, glm::dvec2 low_m, glm::dvec2 high_m) {
+  if (node.first_child < 0) {
+    Leaf& leaf = leaves_[static_cast<std::size_t>(node.leaf)];
+    leaf.low_m = low_m;
+    leaf.high_m = high_m;
+    return;
+  }
+  for (int child = 0; child < 4; ++child) {
+    glm::dvec2 low = low_m;
+    glm::dvec2 high = high_m;
+    (child % 2 == 0 ? high : low).x = node.centre_m.x;
+    (child < 2 ? high : low).y = node.centre_m.y;
+    share_out(nodes_[static_cast<std::size_t>(node.first_child + child)], low, high);
+  }
 }
 
 const PatchTree::Leaf& PatchTree::leaf_at(glm::dvec2 ground_m) const {

@@ -22,6 +22,9 @@ class PatchTree {
     GroundPatch patch;
     double error_cells;          // at the check points
     double grid_distance_cells;  // 0 where the square may overlap the grid
+    // The points whose leaf it is: not below `low_m`, and below `high_m`, on either axis.
+    glm::dvec2 low_m{0, 0};
+    glm::dvec2 high_m{0, 0};
   };
 
   // Throws InputError if no reasonable number of patches follows `exact` on the grid.
@@ -42,6 +45,9 @@ class PatchTree {
     int first_child = -1;  // of four: south-west, south-east, north-west, north-east; -1 = a leaf
     int leaf = -1;
   };
+
+  // Tells the leaves under a node which points are theirs.
+  void share_out(const Node& node, glm::dvec2 low_m, glm::dvec2 high_m);
 
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;

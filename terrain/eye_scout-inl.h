@@ -68,7 +68,7 @@ class EyeScout {
   // A ray on its way.
   struct Scout {
     Walk w;
-    VI index, wedge, piece;
+    VI index, wedge, first_piece, piece;
     VF x, y;
   };
 
@@ -98,6 +98,7 @@ class EyeScout {
     if constexpr (kBent) {
       floats(s.x, set_.x);
       floats(s.y, set_.y);
+      ints(s.first_piece, set_.first_piece);
       ints(s.piece, set_.piece);
     } else {
       floats(s.w.rate_u, set_.rate_u);
@@ -142,7 +143,8 @@ class EyeScout {
     if (rays_.follows) s.w.g = hn::Max(s.w.g, safely(as_floats(rays_.clear_m, first)));
     if constexpr (kGround != Ground::flat) s.w.curvature = walk_.curvature(s.x, s.y);
     if constexpr (kBent) {
-      s.piece = lines_.piece_at(s.w.g);
+      s.first_piece = lines_.first_piece(s.x, s.y);
+      s.piece = lines_.piece_at(hn::IfThenElseZero(s.w.g < hn::Inf(F()), s.w.g));
     } else {
       lines_.lay(s.w, s.x, s.y);
       // Along a line of posts floats would not know the side.
@@ -195,7 +197,7 @@ class EyeScout {
     fates.unsure = hn::AndNot(is_sure, here);
     fates.active = hn::And(hn::And(is_sure, here), s.w.g < hn::Inf(F()));
     fates.hit = fates.at_knot = no_lanes();
-    if constexpr (kBent) lines_.lay(s.w, s.x, s.y, s.piece, fates.active);
+    if constexpr (kBent) lines_.lay(s.w, s.x, s.y, s.first_piece, s.piece, fates.active);
     walk_.seat(s.w, fates);
     walk_.cross_cells(s.w, fates);
     hn::Store(hn::IfThenElse(fates.hit, walk_.column_of(s.w), of(-1)), F(),
@@ -236,7 +238,7 @@ class EyeScout {
     if constexpr (kBent) {
       const VI piece = lines_.piece_at(to.g);
       s.piece = hn::IfThenElse(hn::RebindMask(I(), leaps), piece, s.piece);
-      lines_.lay(to, s.x, s.y, s.piece, fates.active);
+      lines_.lay(to, s.x, s.y, s.first_piece, s.piece, fates.active);
     }
     Fates leaping{leaps, fates.hit, no_lanes(), no_lanes()};
     walk_.seat(to, leaping);

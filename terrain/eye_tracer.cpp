@@ -107,52 +107,6 @@ std::int64_t scout(const EyeFront& front, EyeRays& rays, ScoutFinds& finds) {
   return scout_over<Ground::flat>(front, rays, finds);
 }
 
-template <class Value>
-HWY_INLINE void save(std::array<Value, EyeRays::kMost>& values, std::size_t first, V value) {
-  const hn::Rebind<Value, D> d;
-  hn::Store(hn::DemoteTo(d, value), d, values.data() + first);
-}
-
-void affine_facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets) {
-  const HeightGrid& grid = *terrain.layers()[0].grid;
-  const glm::dmat2 jacobian = *terrain.layers()[0].map->linear();
-  const VectorPosts posts(grid);
-  const V columns = of(grid.columns);
-  const V z_scale = of(terrain.frame().z_scale);
-  for (std::size_t i = 0; i < rays.count; i += hn::Lanes(D())) {
-    const V g = load(rays.ground_m, i);
-    const M hit = g >= of(0);
-    if (hn::AllFalse(D(), hit)) {
-      save(facets.x, i, of(0));
-      save(facets.y, i, of(0));
-      save(facets.z, i, of(0));
-      save(facets.cell, i, of(-1));
-      save(facets.distance_m, i, hn::Inf(D()));
-      continue;
-    }
-    const V column = hn::IfThenElseZero(hit, load(rays.column, i));
-    const V row = hn::IfThenElseZero(hit, load(rays.row, i));
-    const V f_u = hn::Min(hn::Max(load(rays.u, i) - column, of(0)), of(1));
-    const V f_v = hn::Min(hn::Max(load(rays.v, i) - row, of(0)), of(1));
-    const auto [nw, ne, sw, se] = posts.corners(row * columns + column);
-    // glm::mix(x, y, a) = x * (1 - a) + y * a.
-    const V g_u = (ne - nw) * (of(1) - f_v) + (se - sw) * f_v;
-    const V g_v = (sw - nw) * (of(1) - f_u) + (se - ne) * f_u;
-    const V slope_x = z_scale * (of(jacobian[0][0]) * g_u + of(jacobian[0][1]) * g_v);
-    const V slope_y = z_scale * (of(jacobian[1][0]) * g_u + of(jacobian[1][1]) * g_v);
-    const V inverse = of(1) / hn::Sqrt(slope_x * slope_x + slope_y * slope_y + of(1));
-    save(facets.x, i, hn::IfThenElseZero(hit, hn::Neg(slope_x) * inverse));
-    save(facets.y, i, hn::IfThenElseZero(hit, hn::Neg(slope_y) * inverse));
-    save(facets.z, i, hn::IfThenElseZero(hit, inverse));
-    const V cell = row * (columns - of(1)) + column;
-    save(facets.cell, i, hn::IfThenElse(hit, cell, of(-1)));
-    const V slope = load(rays.slope, i);
-    const V along = hn::Sqrt(of(1) + slope * slope);
-    const V distance = hn::IfThenElse(hn::Abs(slope) < hn::Inf(D()), g * along, g);
-    save(facets.distance_m, i, hn::IfThenElse(hit, distance, hn::Inf(D())));
-  }
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace terrview
 HWY_AFTER_NAMESPACE();
@@ -164,7 +118,6 @@ HWY_EXPORT(prepare_rays);
 HWY_EXPORT(run_eye_loop);
 HWY_EXPORT(keep_clear);
 HWY_EXPORT(scout);
-HWY_EXPORT(affine_facets);
 
 namespace {
 
@@ -283,24 +236,6 @@ void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts) {
   ScoutFinds finds;
   counts.tests += HWY_DYNAMIC_DISPATCH(scout)(front, rays, finds);
   retrace(front, rays, finds, counts);
-}
-
-void facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets) {
-  if (terrain.layers()[0].map->linear()) {
-    if (rays.count > 0) HWY_DYNAMIC_DISPATCH(affine_facets)(terrain, rays, facets);
-    return;
-  }
-  const int cells_in_row = terrain.layers()[0].grid->columns - 1;
-  for (std::size_t i = 0; i < rays.count; ++i) {
-    const bool is_hit = rays.is_hit(i);
-    const glm::dvec3 normal = is_hit ? terrain.facet_normal(rays.hit(i)) : glm::dvec3(0);
-    facets.x[i] = static_cast<float>(normal.x);
-    facets.y[i] = static_cast<float>(normal.y);
-    facets.z[i] = static_cast<float>(normal.z);
-    const double cell = is_hit ? rays.row[i] * cells_in_row + rays.column[i] : -1;
-    facets.cell[i] = static_cast<std::int32_t>(cell);
-    facets.distance_m[i] = is_hit ? rays.distance_m(i) : std::numeric_limits<double>::infinity();
-  }
 }
 
 }  // namespace terrview

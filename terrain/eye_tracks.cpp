@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -117,12 +118,22 @@ bool EyeTracks::is_close_to(const GroundMap& map) const {
       const glm::dvec2 exact = map.to_grid(direction * g_m);
       const double error = glm::distance(piece(direction, knots_m_[i - 1], g_m).end, exact);
       const double cells_per_rad = glm::length(exact - eye_uv_);
-      if (!(error <= kShareOfLimit * GroundMap::kTrackError_cells) ||
-          !(error <= kShareOfLimit * GroundMap::kTrackError_rad * std::max(1.0, cells_per_rad)))
-        return false;
+      const double limit =
+          kShareOfLimit * std::min(GroundMap::kTrackError_cells,
+                                   GroundMap::kTrackError_rad * std::max(1.0, cells_per_rad));
+      if (!(error <= limit) && !(error <= slack_cells(map, sector, i))) return false;
     }
   }
   return true;
+}
+
+double EyeTracks::slack_cells(const GroundMap& map, int sector, std::size_t knot) const {
+  const double from_m = knots_m_[knot - 1];
+  const double to_m = knots_m_[std::min(knot + 1, knots_m_.size() - 1)];
+  double least = std::numeric_limits<double>::infinity();
+  for (const double share : {0.0, 0.5, 1.0})
+    least = std::min(least, map.slack_cells({{0, 0}, edge(sector, share)}, from_m, to_m));
+  return least;
 }
 
 glm::dvec2 EyeTracks::edge(int sector, double share) const {
@@ -134,19 +145,22 @@ int EyeTracks::piece_at(double from_m) const {
   return static_cast<int>(beyond - knots_m_.begin()) - 1;
 }
 
+EyeTracks::Start EyeTracks::start(int sector, int piece, glm::dvec2 direction) const {
+  const auto row = static_cast<std::size_t>(sector) * static_cast<std::size_t>(pieces()) +
+                   static_cast<std::size_t>(piece);
+  const double* c = coefficients_.data() + row * kCoefficients;
+  return {eye_uv_ + glm::dvec2(c[0] * direction.x + c[1] * direction.y,
+                               c[2] * direction.x + c[3] * direction.y),
+          {c[4] * direction.x + c[5] * direction.y, c[6] * direction.x + c[7] * direction.y}};
+}
+
 TrackPiece EyeTracks::piece(glm::dvec2 direction, double from_m, double to_m) const {
-  const auto i = static_cast<std::size_t>(piece_at(from_m));
-  const auto at = static_cast<std::size_t>(sector_of(direction, sectors_a_side_)) *
-                  static_cast<std::size_t>(pieces());
-  const double* c = coefficients_.data() + (at + i) * kCoefficients;
-  TrackPiece piece{
-      knots_m_[i],
-      std::max(from_m, std::min(knots_m_[i + 1], to_m)),
-      eye_uv_ + glm::dvec2(c[0] * direction.x + c[1] * direction.y,
-                           c[2] * direction.x + c[3] * direction.y),
-      {},
-      {c[4] * direction.x + c[5] * direction.y, c[6] * direction.x + c[7] * direction.y},
-      {0, 0}};
+  const int i = piece_at(from_m);
+  const auto at = static_cast<std::size_t>(i);
+  const Start begin = start(sector_of(direction, sectors_a_side_), i, direction);
+  TrackPiece piece{knots_m_[at], std::max(from_m, std::min(knots_m_[at + 1], to_m)),
+                   begin.uv,     {},
+                   begin.rate,   {0, 0}};
   set_metres(piece);
   piece.end = piece.at(piece.end_m);
   return piece;

@@ -6,6 +6,7 @@
 // lies: vectors of rays take theirs from the table too, and find the same bits.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -20,12 +21,21 @@ namespace terrview {
 class EyeTracks {
  public:
   // Knots and directions as close as `map`'s errors ask for: the table adds a tenth to them at
-  // most. Nullopt where it would take too many, or `map` cannot follow lines from the eye.
+  // most, or its slack where no post is near. Nullopt where it would take too many, or `map` cannot
+  // follow lines from the eye.
   [[nodiscard]] static std::optional<EyeTracks> make(const GroundMap& map);
 
   // The piece of the line from the eye along `direction` (unit length) that `from_m` lies on,
   // where two meet the one beyond, cut off at `to_m`.
   [[nodiscard]] TrackPiece piece(glm::dvec2 direction, double from_m, double to_m) const;
+
+  // Where that line starts piece `piece` of the table, of the sector its direction lies in, and its
+  // rate there.
+  struct Start {
+    glm::dvec2 uv;
+    glm::dvec2 rate;
+  };
+  [[nodiscard]] Start start(int sector, int piece, glm::dvec2 direction) const;
 
   // Sectors are those of terrain/square_sectors.h.
   [[nodiscard]] int sectors_a_side() const { return sectors_a_side_; }
@@ -52,6 +62,8 @@ class EyeTracks {
   void fill(const GroundMap& map);
   void carry_back();
   [[nodiscard]] bool is_close_to(const GroundMap& map) const;
+  // What tracks of a sector may stray along the pieces beside a knot.
+  [[nodiscard]] double slack_cells(const GroundMap& map, int sector, std::size_t knot) const;
   [[nodiscard]] std::vector<glm::dvec2> knots_along(const GroundMap& map,
                                                     glm::dvec2 direction) const;
   // The direction at a share of a sector.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -9,6 +10,16 @@
 #include "terrain/error.h"
 
 namespace terrview {
+
+void GroundMap::jacobians(const GroundPoints& points, const Jacobians& found) const {
+  for (std::size_t i = 0; i < points.x_m.size(); ++i) {
+    const glm::dmat2 one = jacobian({points.x_m[i], points.y_m[i]});
+    found.u_by_x[i] = one[0].x;
+    found.v_by_x[i] = one[0].y;
+    found.u_by_y[i] = one[1].x;
+    found.v_by_y[i] = one[1].y;
+  }
+}
 
 AffineGroundMap::AffineGroundMap(glm::dvec2 eye_uv, const glm::dmat2& jacobian,
                                  glm::ivec2 grid_size)

@@ -6,6 +6,8 @@
 // within kTrackError_rad of it as the eye sees them. The terrain never moves: rays bend.
 #pragma once
 
+#include <span>
+
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
@@ -35,10 +37,26 @@ class GroundMap {
   // d(u, v) / d(x, y): column 0 is the derivative by x, column 1 by y.
   [[nodiscard]] virtual glm::dmat2 jacobian(glm::dvec2 ground_m) const = 0;
 
+  // Those of many points, bit for bit, into arrays as long as theirs.
+  struct GroundPoints {
+    std::span<const double> x_m, y_m;
+  };
+  struct Jacobians {
+    std::span<double> u_by_x, v_by_x, u_by_y, v_by_y;
+  };
+  virtual void jacobians(const GroundPoints& points, const Jacobians& found) const;
+
   // How far along `line` the linear piece that starts at `from_m` may reach, in (from_m, limit_m].
   // Deterministic: it depends on its arguments alone.
   [[nodiscard]] virtual double piece_end_m(const GroundLine& line, double from_m,
                                            double limit_m) const = 0;
+
+  // How much further than kTrackError_cells tracks may stray all along a part of a line: some of
+  // the way to the nearest post where none is near.
+  [[nodiscard]] virtual double slack_cells(const GroundLine& /*line*/, double /*from_m*/,
+                                           double /*to_m*/) const {
+    return 0;
+  }
 
   // The jacobian, where it is the same everywhere and every line is one piece; else null.
   [[nodiscard]] virtual const glm::dmat2* linear() const { return nullptr; }

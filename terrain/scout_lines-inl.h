@@ -13,14 +13,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/mat2x2.hpp>
 
 #include "terrain/eye_tracks.h"
 #include "terrain/scout_walk-inl.h"
+#include "terrain/vector_masks-inl.h"
 #include "terrain/vector_sectors-inl.h"
+#include "terrain/vector_tracks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -76,32 +77,27 @@ class ScoutLines<Ground::bent> {
 
   // The pieces that distances lie on.
   HWY_INLINE VI piece_at(VF g) const {
-    const std::vector<double>& knots_m = tracks_.knots_m();
-    VI piece = hn::Zero(I());
-    for (std::size_t i = 1; i + 1 < knots_m.size(); ++i)
-      piece = piece + hn::IfThenElseZero(hn::RebindMask(I(), g >= of(knots_m[i])), hn::Set(I(), 1));
-    return piece;
+    return hn::ConvertTo(I(), pieces_at(F(), tracks_.knots_m(), g));
   }
 
-  // Loads pieces.
-  HWY_INLINE void lay(Walker::Walk& w, VF x, VF y, VI piece, MF lanes) const {
-    const VI sector = hn::ConvertTo(I(), sectors_of(F(), x, y, tracks_.sectors_a_side()));
-    const VI known = hn::IfThenElseZero(hn::RebindMask(I(), lanes), piece);
-    const VI at =
-        (hn::IfThenElseZero(hn::RebindMask(I(), lanes), sector) * hn::Set(I(), tracks_.pieces()) +
-         known) *
-        hn::Set(I(), EyeTracks::kCoefficients);
-    const float* lines = tracks_.lines().data();
-    const auto along = [&](int i) HWY_ATTR {
-      return hn::GatherIndex(F(), lines + i, at) * x + hn::GatherIndex(F(), lines + i + 1, at) * y;
-    };
-    w.base_u = of(eye_.x) + along(0);
-    w.base_v = of(eye_.y) + along(2);
-    w.rate_u = along(4);
-    w.rate_v = along(6);
+  // The first pieces of the tracks of directions.
+  HWY_INLINE VI first_piece(VF x, VF y) const {
+    return hn::ConvertTo(I(), sectors_of(F(), x, y, tracks_.sectors_a_side())) *
+           hn::Set(I(), tracks_.pieces());
+  }
+
+  // Loads pieces, counted from first ones; of other lanes than `lanes`, any.
+  HWY_INLINE void lay(Walker::Walk& w, VF x, VF y, VI first_piece, VI piece, MF lanes) const {
+    const std::uint32_t wanted = mask_bits(F(), lanes);
+    const auto line = shared_rows<EyeTracks::kCoefficients>(
+        F(), tracks_.lines().data(), EyeTracks::kCoefficients, first_piece + piece, wanted);
+    w.base_u = of(eye_.x) + (line[0] * x + line[1] * y);
+    w.base_v = of(eye_.y) + (line[2] * x + line[3] * y);
+    w.rate_u = line[4] * x + line[5] * y;
+    w.rate_v = line[6] * x + line[7] * y;
     w.metres_u = hn::Set(F(), 1.0F) / w.rate_u;
     w.metres_v = hn::Set(F(), 1.0F) / w.rate_v;
-    w.end = hn::GatherIndex(F(), tracks_.near_knots_m().data() + 1, known);
+    w.end = shared_rows<1>(F(), tracks_.near_knots_m().data() + 1, 1, piece, wanted)[0];
   }
 
  private:

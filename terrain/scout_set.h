@@ -20,10 +20,11 @@ struct alignas(64) ScoutSet {
   alignas(64) Ints index;  // of the ray
   alignas(64) Ints wedge;  // of the front
   alignas(64) Floats slope, curvature;
-  // Where tracks are straight; where they bend, the direction, and the piece of the track.
+  // Where tracks are straight; where they bend, the direction, the first piece of the track and how
+  // many further the ray is.
   alignas(64) Floats rate_u, rate_v, metres_u, metres_v;
   alignas(64) Floats x, y;
-  alignas(64) Ints piece;
+  alignas(64) Ints first_piece, piece;
   alignas(64) Floats column, row, g;
 };
 

@@ -14,7 +14,6 @@
 #include "terrain/eye_tracks.h"
 #include "terrain/sector_bounds.h"
 #include "terrain/square_sectors.h"
-#include "terrain/track_piece.h"
 #include "terrain/vector_ground-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -191,12 +190,25 @@ namespace {
 // Wider than the rounding with which a ray finds its wedge.
 constexpr double kEdgeMargin = 1e-12;
 
-// The tracks of one edge, as piece `index` of each wedge's.
-void set_piece(WedgeEdges::Piece& piece, std::size_t wedge, const TrackPiece& track) {
-  piece.start_u[wedge] = track.start.x;
-  piece.start_v[wedge] = track.start.y;
-  piece.rate_u[wedge] = track.rate.x;
-  piece.rate_v[wedge] = track.rate.y;
+// The tracks of one edge, as those of each wedge's.
+void set_pieces(std::vector<WedgeEdges::Piece>& pieces, std::size_t wedge, glm::dvec2 direction,
+                const GroundMap& map, glm::dvec2 eye_uv) {
+  const auto set = [wedge](WedgeEdges::Piece& piece, glm::dvec2 start, glm::dvec2 rate) {
+    piece.start_u[wedge] = start.x;
+    piece.start_v[wedge] = start.y;
+    piece.rate_u[wedge] = rate.x;
+    piece.rate_v[wedge] = rate.y;
+  };
+  if (const glm::dmat2* jacobian = map.linear()) {
+    set(pieces[0], eye_uv, *jacobian * direction);
+    return;
+  }
+  const EyeTracks& tracks = *map.eye_tracks();
+  const int sector = sector_of(direction, tracks.sectors_a_side());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const EyeTracks::Start start = tracks.start(sector, static_cast<int>(i), direction);
+    set(pieces[i], start.uv, start.rate);
+  }
 }
 
 }  // namespace
@@ -204,6 +216,7 @@ void set_piece(WedgeEdges::Piece& piece, std::size_t wedge, const TrackPiece& tr
 WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map) {
   WedgeEdges edges;
   const EyeTracks* tracks = map.eye_tracks();
+  const glm::dvec2 eye_uv = map.to_grid({0, 0});
   edges.begins_m = tracks ? tracks->knots_m() : std::vector<double>{0, map.reach_m()};
   edges.begins_m.pop_back();
   edges.pieces_a.resize(edges.begins_m.size());
@@ -220,14 +233,8 @@ WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map) {
     edges.x_b[j] = b.x;
     edges.y_b[j] = b.y;
     edges.bulge = std::max(edges.bulge, 2 / glm::length(a + b));
-    for (std::size_t k = 0; k < edges.begins_m.size(); ++k) {
-      const auto track = [&](glm::dvec2 direction) {
-        return track_piece(map, {{0, 0}, direction}, edges.begins_m[k], map.to_grid({0, 0}),
-                           map.reach_m());
-      };
-      set_piece(edges.pieces_a[k], j, track(a));
-      set_piece(edges.pieces_b[k], j, track(b));
-    }
+    set_pieces(edges.pieces_a, j, a, map, eye_uv);
+    set_pieces(edges.pieces_b, j, b, map, eye_uv);
   }
   return edges;
 }

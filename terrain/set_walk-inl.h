@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "terrain/eye_cell.h"
 #include "terrain/eye_tracks.h"
@@ -20,6 +19,7 @@
 #include "terrain/ray_set.h"
 #include "terrain/track_piece.h"
 #include "terrain/vector_ground-inl.h"
+#include "terrain/vector_tracks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -59,23 +59,21 @@ HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V sha
   return met;
 }
 
-// Loads pieces of the tracks of a sector of EyeTracks, for lines whose directions `r` holds.
-HWY_INLINE void load_piece(const EyeTracks& tracks, const EyeCell& eye, V sector, V piece,
-                           Registers& r) {
-  const hn::Rebind<std::int64_t, D> longs;
-  const auto at =
-      hn::ConvertTo(longs, (sector * of(tracks.pieces()) + piece) * of(EyeTracks::kCoefficients));
-  const auto along = [&](int i) HWY_ATTR {
-    const double* c = tracks.coefficients().data() + i;
-    return hn::GatherIndex(D(), c, at) * r.x + hn::GatherIndex(D(), c + 1, at) * r.y;
-  };
-  const auto knots = hn::ConvertTo(longs, piece);
-  r.begin = hn::GatherIndex(D(), tracks.knots_m().data(), knots);
-  r.end = hn::GatherIndex(D(), tracks.knots_m().data() + 1, knots);
-  r.start_u = of(eye.u) + along(0);
-  r.start_v = of(eye.v) + along(2);
-  const VectorRate u = invertible(along(4));
-  const VectorRate v = invertible(along(6));
+// Loads pieces, counted from the first ones of tracks, for lines whose directions `r` holds; of
+// other lanes than `lanes`, any.
+using VectorInts = hn::Vec<hn::Rebind<std::int32_t, D>>;
+HWY_INLINE void load_piece(const EyeTracks& tracks, const EyeCell& eye, VectorInts first_piece,
+                           VectorInts piece, M lanes, Registers& r) {
+  const std::uint32_t wanted = bits_of(lanes);
+  const auto [begin, end] = shared_rows<2>(D(), tracks.knots_m().data(), 1, piece, wanted);
+  const auto line = shared_rows<EyeTracks::kCoefficients>(
+      D(), tracks.coefficients().data(), EyeTracks::kCoefficients, first_piece + piece, wanted);
+  r.begin = begin;
+  r.end = end;
+  r.start_u = of(eye.u) + (line[0] * r.x + line[1] * r.y);
+  r.start_v = of(eye.v) + (line[2] * r.x + line[3] * r.y);
+  const VectorRate u = invertible(line[4] * r.x + line[5] * r.y);
+  const VectorRate v = invertible(line[6] * r.x + line[7] * r.y);
   r.rate_u = u.rate;
   r.rate_v = v.rate;
   r.metres_u = u.metres;
@@ -159,7 +157,7 @@ class SetWalk {
   // distance, or a little before.
   HWY_INLINE Entry settle(Registers& r, std::size_t first, V start_m, M wanted) const {
     Registers to = r;
-    if constexpr (kBent) load_pieces(to, first, start_m);
+    if constexpr (kBent) load_pieces(to, first, start_m, wanted);
     M seated = seat(to, start_m);
     Entry entry = enter(grid_, eye_, to);
     entry.settled = hn::And(entry.settled, seated);
@@ -170,7 +168,7 @@ class SetWalk {
       if (bits_of(early) != 0) {
         Registers back = r;
         const V before_m = hn::Max(to.begin - of(step_back_m_), of(0));
-        load_pieces(back, first, before_m);
+        load_pieces(back, first, before_m, early);
         seated = seat(back, before_m);
         const Entry earlier = enter(grid_, eye_, back);
         entry.settled = hn::Or(entry.settled, hn::And(early, hn::And(earlier.settled, seated)));
@@ -227,12 +225,11 @@ class SetWalk {
   }
 
   // Loads the pieces of the tracks that distances lie on.
-  HWY_INLINE void load_pieces(Registers& r, std::size_t first, V from_m) const {
-    const std::vector<double>& knots_m = tracks_->knots_m();
-    V piece = of(0);
-    for (std::size_t i = 1; i + 1 < knots_m.size(); ++i)
-      piece = piece + hn::IfThenElseZero(from_m >= of(knots_m[i]), of(1));
-    load_piece(*tracks_, eye_, load(set_.sector, first), piece, r);
+  HWY_INLINE void load_pieces(Registers& r, std::size_t first, V from_m, M lanes) const {
+    const V piece = pieces_at(D(), tracks_->knots_m(), hn::IfThenElseZero(lanes, from_m));
+    const hn::Rebind<std::int32_t, D> ints;
+    load_piece(*tracks_, eye_, hn::DemoteTo(ints, load(set_.sector, first) * of(tracks_->pieces())),
+               hn::DemoteTo(ints, piece), lanes, r);
   }
 
   // Puts rays into their cells at a distance. False: that is not over the grid.

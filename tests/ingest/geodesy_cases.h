@@ -32,6 +32,7 @@ inline std::vector<GridCase> grid_cases() {
   return {
       {"geographic", "EPSG:4326", {6.5, 48.6}, arc_seconds_3, {1201, 1201}, {0.4, 0.6}},
       {"geographic beside", "EPSG:4326", {6.5, 48.6}, arc_seconds_3, {1201, 601}, {-0.3, 0.2}},
+      {"geographic from afar", "EPSG:4326", {6.5, 48.6}, arc_seconds_3, {1201, 601}, {2.9, -1.7}},
       {"geographic far north", "EPSG:4326", {15, 79.5}, arc_seconds_3, {1201, 601}, {0.5, 0.5}},
       {"antimeridian", "EPSG:4326", {179.6, -16.3}, arc_seconds_3, {1201, 1201}, {0.8, 0.5}},
       {"antimeridian from the west",
@@ -43,6 +44,7 @@ inline std::vector<GridCase> grid_cases() {
       {"up to the pole", "EPSG:4326", {10, 90}, arc_seconds_3, {1201, 1201}, {0.5, 0.05}},
       {"near the south pole", "EPSG:4326", {-70, -89}, arc_seconds_3, {1201, 1001}, {0.5, 0.5}},
       {"UTM", "EPSG:32632", {300000, 5400000}, 75, {1500, 1500}, {0.5, 0.5}},
+      {"UTM from its corner", "EPSG:32632", {300000, 5400000}, 75, {1500, 1500}, {-0.1, 1.1}},
       {"UTM, small", "EPSG:32632", {350000, 5312000}, 75, {200, 300}, {0.3, 0.8}},
       {"UTM, a metre", "EPSG:25832", {356000, 5700000}, 1, {1000, 1000}, {0.5, 0.5}},
       {"web Mercator", "EPSG:3857", {730000, 6180000}, 100, {1000, 1000}, {0.5, 0.5}},

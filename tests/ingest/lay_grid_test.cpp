@@ -4,17 +4,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "ingest/curved_ground_map.h"
 #include "terrain/error.h"
+#include "terrain/eye_tracks.h"
+#include "terrain/track_piece.h"
 #include "tests/ingest/geodesy_cases.h"
+#include "tests/support/instruction_sets.h"
 
 namespace terrview {
 namespace {
@@ -140,6 +145,67 @@ TEST_P(GroundMaps, KeepTracksWithinTheirPromise) {
   EXPECT_LE(worst_rad, 1.1 * GroundMap::kTrackError_rad);
 }
 
+// Those of the table, where there is one; it adds little at the knots.
+TEST_P(GroundMaps, KeepTracksFromTheEyeWithinTheirPromise) {
+  const GroundMap& map = this->map();
+  const double length_m = std::min(map.reach_m(), 300e3);
+  const glm::dvec2 eye_uv = map.to_grid({0, 0});
+  for (int i = 0; i < 400; ++i) {
+    const GroundLine line = line_from_eye(i, 400);
+    glm::dvec2 start = eye_uv;
+    for (double from_m = 0; from_m < length_m;) {
+      const TrackPiece piece = track_piece(map, line, from_m, start, length_m);
+      ASSERT_GT(piece.end_m, from_m);
+      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const double g_m = glm::mix(from_m, piece.end_m, share);
+        const glm::dvec2 curve = oracle_.to_grid(line.at(g_m));
+        const glm::dvec2 track = piece.at(g_m);
+        if (off_grid(curve) <= 0) {
+          EXPECT_LE(glm::distance(track, curve), GroundMap::kTrackError_cells) << g_m;
+        } else if (off_grid(curve) > GroundMap::kTrackError_cells) {
+          EXPECT_GT(off_grid(track), 0) << g_m;
+        }
+      }
+      from_m = piece.end_m;
+      start = piece.end;
+      const glm::dvec2 knot = map.to_grid(line.at(from_m));
+      if (map.eye_tracks() && off_grid(knot) <= 0) {
+        EXPECT_LE(glm::distance(start, knot), 0.15 * GroundMap::kTrackError_cells) << from_m;
+      }
+    }
+  }
+}
+
+// Points all over the disc, beyond it, and in one vector on both sides of a seam.
+TEST_P(GroundMaps, TellManySlopesAsTheyTellOne) {
+  std::vector<double> x_m;
+  std::vector<double> y_m;
+  const auto put = [&](glm::dvec2 point) {
+    x_m.push_back(point.x);
+    y_m.push_back(point.y);
+  };
+  for (const glm::dvec2 point : ground_of_posts(1001)) put(point);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> share(-3, 3);
+  for (int i = 0; i < 500; ++i) put(map().reach_m() * glm::dvec2(share(random), share(random)));
+  if (const auto* curved = dynamic_cast<const CurvedGroundMap*>(&map()))
+    for (const PatchTree::Leaf& leaf : curved->patches().leaves())
+      for (const glm::dvec2 corner : {leaf.low_m, leaf.high_m})
+        for (const double side : {-1e-3, 0.0, 1e-3})
+          if (std::isfinite(corner.x + corner.y)) put(corner + side);
+  const std::size_t count = x_m.size();
+  std::vector<double> values[4];
+  for (std::vector<double>& each : values) each.resize(count);
+  under_every_instruction_set([&] {
+    for (std::vector<double>& each : values) std::fill(each.begin(), each.end(), std::nan(""));
+    map().jacobians({x_m, y_m}, {values[0], values[1], values[2], values[3]});
+    for (std::size_t i = 0; i < count; ++i)
+      ASSERT_EQ(glm::dmat2(values[0][i], values[1][i], values[2][i], values[3][i]),
+                map().jacobian({x_m[i], y_m[i]}))
+          << x_m[i] << ", " << y_m[i];
+  });
+}
+
 TEST_P(GroundMaps, KeepTracksThatMissTheEyeWithinTheirPromise) {
   const double length_m = std::min(2 * map().reach_m(), 150e3);
   std::mt19937_64 random(3);
@@ -215,6 +281,15 @@ TEST(LayGrid, TakesFewPieces) {
     from_m = laid[0].map->piece_end_m(line, from_m, 100e3);
   EXPECT_GT(pieces, 5);
   EXPECT_LT(pieces, 30);
+}
+
+TEST(LayGrid, TabulatesTheTracksOfEyesOverItBesideItAndFarAway) {
+  for (const glm::dvec2 eye_share :
+       {glm::dvec2(0.5, 0.5), glm::dvec2(-0.01, 0.5), glm::dvec2(1.2, 1.3), glm::dvec2(-2, 0.5),
+        glm::dvec2(2.9, -1.7)}) {
+    const auto laid = lay({"geo", "EPSG:4326", {6, 49}, 1.0 / 1200, {1201, 1201}, eye_share});
+    EXPECT_NE(laid[0].map->eye_tracks(), nullptr) << eye_share.x << ", " << eye_share.y;
+  }
 }
 
 TEST(LayGrid, LaysAGlobalGridOnBothSidesOfItsSeam) {

@@ -4,13 +4,12 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
-#include "tests/support/expectations.h"
+#include "tests/support/eye_rays.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/parabolic_map.h"
 #include "tests/support/random_scene.h"
@@ -34,40 +33,6 @@ std::vector<glm::dvec3> random_directions(Random& random, const Terrain& terrain
     if (random.chance(0.1)) directions.emplace_back(0, 0, random.sign());
   }
   return directions;
-}
-
-// Hits, all equal to those of single rays.
-int expect_hits_of_single_rays(const EyeFront& front, const std::vector<glm::dvec3>& directions) {
-  const auto rays = std::make_unique<EyeRays>();
-  int met = 0;
-  for (std::size_t first = 0; first < directions.size(); first += EyeRays::kMost) {
-    rays->count = std::min(EyeRays::kMost, directions.size() - first);
-    for (std::size_t i = 0; i < rays->count; ++i) {
-      rays->direction_x[i] = directions[first + i].x;
-      rays->direction_y[i] = directions[first + i].y;
-      rays->direction_z[i] = directions[first + i].z;
-    }
-    TraceCounts counts;
-    trace(front, *rays, counts);
-    const auto seen = std::make_unique<EyeFacets>();
-    facets(front.terrain(), *rays, *seen);
-    const int cells_in_row = front.terrain().layers()[0].grid->columns - 1;
-    for (std::size_t i = 0; i < rays->count; ++i) {
-      const Ray ray{.direction = directions[first + i]};
-      const auto expected = front.terrain().first_hit(ray);
-      EXPECT_EQ(rays->is_hit(i), expected.has_value()) << oracle::to_string(ray);
-      EXPECT_EQ(seen->distance_m[i],
-                expected ? expected->distance_m : std::numeric_limits<double>::infinity());
-      EXPECT_EQ(seen->cell[i], expected ? expected->cell.y * cells_in_row + expected->cell.x : -1);
-      if (!expected || !rays->is_hit(i)) continue;
-      const Hit hit = rays->hit(i);
-      expect_same_hit(hit, *expected, ray);
-      const glm::vec3 normal(seen->x[i], seen->y[i], seen->z[i]);
-      EXPECT_EQ(normal, glm::vec3(front.terrain().facet_normal(hit)));
-      ++met;
-    }
-  }
-  return met;
 }
 
 template <class MakeTerrain>
@@ -135,6 +100,9 @@ TEST(TraceEyeRays, HasThemUnderEveryInstructionSet) {
   under_every_instruction_set([] {
     expect_same_bits(5, Position::general, [](Random& random) {
       return random_terrain(random, SurfaceModel::hyperboloid, Position::general);
+    });
+    expect_same_bits(8, Position::general, [](Random& random) {
+      return random_parabolic_terrain(random, SurfaceModel::hyperboloid);
     });
   });
 }

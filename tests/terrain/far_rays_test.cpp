@@ -7,10 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <glm/matrix.hpp>
-
 #include "terrain/eye_tracer.h"
-#include "tests/support/expectations.h"
+#include "tests/support/eye_rays.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/parabolic_map.h"
 #include "tests/support/random_scene.h"
@@ -57,14 +55,6 @@ std::shared_ptr<const GroundMap> straight() {
   return std::make_shared<const AffineGroundMap>(
       kEye_uv, glm::dmat2(along.x, -along.y, -along.y, -along.x) / kPost_m,
       glm::ivec2(kPosts, kPosts));
-}
-
-// By Newton's method.
-glm::dvec2 ground_at(const GroundMap& map, glm::dvec2 uv) {
-  glm::dvec2 ground_m(0);
-  for (int i = 0; i < 8; ++i)
-    ground_m += glm::inverse(map.jacobian(ground_m)) * (uv - map.to_grid(ground_m));
-  return ground_m;
 }
 
 // Beside a post, or a point of an edge.
