@@ -16,6 +16,7 @@
 #include "terrain/eye_tracer.h"
 #include "terrain/scout_set.h"
 #include "terrain/set_walk-inl.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_sectors-inl.h"
 
@@ -41,11 +42,11 @@ class EyeProof {
   }
 
  private:
-  static HWY_INLINE V cells(const ScoutSet::Floats& values, std::size_t first) {
+  static VEC_INLINE V cells(const ScoutSet::Floats& values, std::size_t first) {
     return hn::PromoteTo(D(), hn::LoadU(hn::Rebind<float, D>(), values.data() + first));
   }
 
-  HWY_INLINE void prove(std::size_t first) {
+  VEC_INLINE void prove(std::size_t first) {
     const V column = cells(finds_.column, first);
     const M found = column >= of(0);
     if (hn::AllFalse(D(), found)) {
@@ -84,7 +85,7 @@ class EyeProof {
   }
 
   // The line, or its piece.
-  HWY_INLINE void lay(Registers& r, M found, std::size_t first) const {
+  VEC_INLINE void lay(Registers& r, M found, std::size_t first) const {
     if constexpr (kBent) {
       const EyeTracks& tracks = *map_.eye_tracks();
       const V piece =

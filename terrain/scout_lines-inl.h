@@ -20,6 +20,7 @@
 
 #include "terrain/eye_tracks.h"
 #include "terrain/scout_walk-inl.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_sectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,7 +43,7 @@ class ScoutLines {
   }
 
   // Sets the rates of lines.
-  HWY_INLINE void lay(typename Walker::Walk& w, VF x, VF y) const {
+  VEC_INLINE void lay(typename Walker::Walk& w, VF x, VF y) const {
     w.rate_u = of(jacobian_[0][0]) * x + of(jacobian_[1][0]) * y;
     w.rate_v = of(jacobian_[0][1]) * x + of(jacobian_[1][1]) * y;
     w.metres_u = of(1) / w.rate_u;
@@ -50,7 +51,7 @@ class ScoutLines {
   }
 
  private:
-  static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
+  static VEC_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
 
   const glm::dmat2& jacobian_;
 };
@@ -75,7 +76,7 @@ class ScoutLines<Ground::bent> {
   [[nodiscard]] int pieces() const { return tracks_.pieces(); }
 
   // The pieces that distances lie on.
-  HWY_INLINE VI piece_at(VF g) const {
+  VEC_INLINE VI piece_at(VF g) const {
     const std::vector<double>& knots_m = tracks_.knots_m();
     VI piece = hn::Zero(I());
     for (std::size_t i = 1; i + 1 < knots_m.size(); ++i)
@@ -84,7 +85,7 @@ class ScoutLines<Ground::bent> {
   }
 
   // Loads pieces.
-  HWY_INLINE void lay(Walker::Walk& w, VF x, VF y, VI piece, MF lanes) const {
+  VEC_INLINE void lay(Walker::Walk& w, VF x, VF y, VI piece, MF lanes) const {
     const VI sector = hn::ConvertTo(I(), sectors_of(F(), x, y, tracks_.sectors_a_side()));
     const VI known = hn::IfThenElseZero(hn::RebindMask(I(), lanes), piece);
     const VI at =
@@ -105,7 +106,7 @@ class ScoutLines<Ground::bent> {
   }
 
  private:
-  static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
+  static VEC_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
 
   const EyeTracks& tracks_;
   glm::dvec2 eye_;
