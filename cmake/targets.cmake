@@ -1,11 +1,25 @@
 # terrview_precompile(<target> <headers...>): has these, and what most sources include, read once for
-# the whole target. With sanitizers alone: elsewhere a source that lacks an include is to fail, and gcc
-# 12 at -O3 warns of a precompiled <string>.
+# the whole target. In builds without sanitizers for test programs alone: elsewhere a source that lacks
+# an include is to fail, and gcc 12 warns falsely of a precompiled <string>.
 function(terrview_precompile target)
-  if(TERRVIEW_PRECOMPILE AND TERRVIEW_SANITIZE)
+  get_target_property(type ${target} TYPE)
+  if(TERRVIEW_PRECOMPILE AND (TERRVIEW_SANITIZE OR type STREQUAL EXECUTABLE))
     target_precompile_headers(${target} PRIVATE
       <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <set> <span> <string>
       <vector> <glm/common.hpp> <glm/geometric.hpp> <glm/matrix.hpp> ${ARGN})
+    target_compile_options(${target} PRIVATE
+      "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
+  endif()
+endfunction()
+
+# terrview_compile_fast(<target>): not optimised in builds with sanitizers, and a test program hardly in
+# others. For targets whose own code does not run for long.
+function(terrview_compile_fast target)
+  get_target_property(type ${target} TYPE)
+  if(TERRVIEW_SANITIZE AND NOT TERRVIEW_FUZZ)
+    target_compile_options(${target} PRIVATE -O0)
+  elseif(type STREQUAL EXECUTABLE)
+    target_compile_options(${target} PRIVATE -O1)
   endif()
 endfunction()
 
@@ -35,7 +49,11 @@ function(terrview_test name folder)
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE terrview_flags ${arg_UNPARSED_ARGUMENTS} rapidcheck GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TERRVIEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  terrview_precompile(${name} <gtest/gtest.h> ${arg_PRECOMPILE})
+  terrview_compile_fast(${name})
+  list(LENGTH sources count)
+  if(count GREATER 4)
+    terrview_precompile(${name} <gtest/gtest.h> ${arg_PRECOMPILE})
+  endif()
   # The second pattern is that of typed suites, TracerLong/0.Name.
   set(long "*Long.*:*Long/*.*")
   if(TERRVIEW_TEST_SHARDS OR TERRVIEW_SANITIZE)
