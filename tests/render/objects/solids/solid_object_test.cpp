@@ -68,7 +68,7 @@ TEST(SolidObject, AnEyeAnywhereSeesTheNearestChangeBetweenInAndOut) {
       EXPECT_EQ(glm::dot(hit->normal, ray.direction) > 0, inside);
     }
   }
-  EXPECT_GT(seen, 2000);
+  EXPECT_GT(seen, 1800);
 }
 
 TEST(SolidObject, HitsLieWithinTheBoundsToTheLastBit) {
