@@ -92,7 +92,7 @@ double median_distance_m(const Scene& bare, const Camera& camera) {
 }
 
 void print_haze(std::ostream& out, const Scene& bare, const Camera& camera) {
-  print_line(out, "\nhaze: rays spared, and the picture beside that of every pixel traced");
+  print_line(out, "%s", "\nhaze: rays spared, and the picture beside that of every pixel traced");
   const double middle_m = median_distance_m(bare, camera);
   for (const double blur_px : {0.5, 1.0, 2.0, 4.0}) {
     Scene scene = bare;

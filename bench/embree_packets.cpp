@@ -220,8 +220,12 @@ struct Avx2 {
   }
 };
 
+#ifdef __clang__
+#define TERRVIEW_AVX512 [[gnu::target("avx512f,avx512vl,avx512bw,avx512dq")]]
+#else
 #define TERRVIEW_AVX512 \
   [[gnu::target("avx512f,avx512vl,avx512bw,avx512dq,prefer-vector-width=512")]]
+#endif
 
 template <class How>
 struct Avx512 {

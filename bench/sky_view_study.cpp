@@ -71,7 +71,7 @@ std::optional<double> seconds_at(const std::vector<Measured>& measured, double e
 void print_sky_view_study(std::ostream& out, const BenchDem& dem) {
   const SkyTracer trace = embree_sky_tracer(dem);
   if (!trace) {
-    print_line(out, "\nsky view: the build found no Embree to compare with");
+    print_line(out, "%s", "\nsky view: the build found no Embree to compare with");
     return;
   }
   const std::vector<glm::ivec2> posts = chosen_posts(*dem.grid);

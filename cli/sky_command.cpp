@@ -26,7 +26,7 @@ constexpr int kLargestSide_px = 1 << 16;
 
 struct SkyCommand {
   FlatSkyOptions flat;
-  SkyView view;
+  SkyPicture view;
   bool is_flat = true;
   double clouds = 0.35;
   std::string ramp = "sky";

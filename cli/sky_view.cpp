@@ -32,7 +32,7 @@ void add_angle(CommandLine& app, const std::string& name, double& value_rad,
       ->type_name("DEGREES");
 }
 
-void add_camera_options(CommandLine& app, SkyView& view, bool& flat) {
+void add_camera_options(CommandLine& app, SkyPicture& view, bool& flat) {
   static const std::map<std::string, Projection> kProjections{
       {"perspective", Projection::perspective}, {"cylindrical", Projection::cylindrical}};
   view.camera.pitch_rad = 20 * kRadians;
@@ -53,7 +53,7 @@ void add_camera_options(CommandLine& app, SkyView& view, bool& flat) {
   add_angle(app, "--fov", view.camera.fov_rad, "Horizontal field of view (default 60)");
 }
 
-void add_layer_options(CommandLine& app, SkyView& view) {
+void add_layer_options(CommandLine& app, SkyPicture& view) {
   app.add_option("--altitude", view.layer.height_m, "Metres from the eye up to the clouds (2500)")
       ->between(10.0, 20000.0);
   app.add_option("--cell", view.layer.cell_m, "Metres: the side of a root cell (8000)")
@@ -69,7 +69,7 @@ void add_layer_options(CommandLine& app, SkyView& view) {
       ->type_name("shell|plane");
 }
 
-void add_light_options(CommandLine& app, SkyView& view) {
+void add_light_options(CommandLine& app, SkyPicture& view) {
   app.add_option_function<std::string>(
          "--sun",
          [&](const std::string& text) {
@@ -97,7 +97,7 @@ void add_light_options(CommandLine& app, SkyView& view) {
 
 }  // namespace
 
-void add_sky_view_options(CommandLine& app, SkyView& view, bool& flat) {
+void add_sky_view_options(CommandLine& app, SkyPicture& view, bool& flat) {
   add_camera_options(app, view, flat);
   add_layer_options(app, view);
   add_light_options(app, view);
@@ -123,7 +123,7 @@ Image paint_sky(const SkyOptions& sky, const SkyCamera& camera, int threads, Pro
   return image;
 }
 
-Image paint_sky_view(const SkyView& view, int threads, ProgressBar& bar) {
+Image paint_sky_view(const SkyPicture& view, int threads, ProgressBar& bar) {
   const Camera camera(view.camera);
   SkyOptions sky = view.sky;
   sky.clear.towards_sun =
@@ -132,7 +132,7 @@ Image paint_sky_view(const SkyView& view, int threads, ProgressBar& bar) {
   return paint_sky(sky, sky_camera(camera), threads, bar);
 }
 
-nlohmann::ordered_json sky_view_json(const SkyView& view) {
+nlohmann::ordered_json sky_view_json(const SkyPicture& view) {
   const CameraOptions& camera = view.camera;
   nlohmann::ordered_json json;
   json["projection"] = camera.projection == Projection::cylindrical ? "cylindrical" : "perspective";

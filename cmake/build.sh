@@ -12,7 +12,10 @@ for argument in "$@"; do
   if [[ $argument == -D* ]]; then definitions+=("$argument"); else arguments+=("$argument"); fi
 done
 
-cmake/setup.sh
+case $preset in
+  asan | fuzz) cmake/setup.sh clang libclang-rt-dev lld llvm ;;  # llvm names the lines of a report
+  *) cmake/setup.sh ;;
+esac
 if [[ -z ${CCACHE_DISABLE:-} ]] && command -v ccache >/dev/null; then
   definitions+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DTERRVIEW_PRECOMPILE=OFF)
 else

@@ -66,8 +66,8 @@ std::vector<DemPart> plan_parts(const std::vector<std::string>& paths, const Dem
   return parts;
 }
 
-std::vector<Tile> to_tiles(const std::vector<DemPart>& parts) {
-  std::vector<Tile> tiles;
+std::vector<LatticeTile> to_tiles(const std::vector<DemPart>& parts) {
+  std::vector<LatticeTile> tiles;
   for (const DemPart& part : parts) {
     const auto same = [&](const DemPart& other) {
       return same_crs(other.header.crs_wkt, part.header.crs_wkt);

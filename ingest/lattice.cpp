@@ -35,7 +35,7 @@ bool touch(const Box& a, const Box& b) {
 }
 
 // Where a tile of `anchor`'s lattice lies on it, in posts of `anchor`; nullopt if it is of another.
-std::optional<glm::i64vec2> offset_on_lattice(const Tile& anchor, const Tile& tile,
+std::optional<glm::i64vec2> offset_on_lattice(const LatticeTile& anchor, const LatticeTile& tile,
                                               double shift_x) {
   const glm::dmat2 to_posts = glm::inverse(anchor.placement.step);
   const glm::dvec2 shift{shift_x, 0};
@@ -69,17 +69,17 @@ struct Group {
   bool stopped_by_waste = false;
 };
 
-Group alone(const Tile& tile, int index) {
+Group alone(const LatticeTile& tile, int index) {
   const Box box{{0, 0}, {tile.columns - 1, tile.rows - 1}};
   return {index, {{index, {0, 0}}}, box, box.posts()};
 }
 
 // The box of `other` on the lattice of `group` where the two touch, trying the same place a turn of
 // the Earth to the east and west.
-std::optional<glm::i64vec2> find_touch(const std::vector<Tile>& tiles, const Group& group,
+std::optional<glm::i64vec2> find_touch(const std::vector<LatticeTile>& tiles, const Group& group,
                                        const Group& other) {
-  const Tile& anchor = tiles[static_cast<std::size_t>(group.anchor)];
-  const Tile& tile = tiles[static_cast<std::size_t>(other.anchor)];
+  const LatticeTile& anchor = tiles[static_cast<std::size_t>(group.anchor)];
+  const LatticeTile& tile = tiles[static_cast<std::size_t>(other.anchor)];
   if (anchor.crs != tile.crs) return std::nullopt;
   for (const double turn : {0.0, 360.0, -360.0}) {
     if (turn != 0 && !anchor.geographic) break;
@@ -92,7 +92,7 @@ std::optional<glm::i64vec2> find_touch(const std::vector<Tile>& tiles, const Gro
 }
 
 // Joins `other` to `group` if they touch on one lattice and little is wasted.
-bool try_join(const std::vector<Tile>& tiles, Group& group, Group& other) {
+bool try_join(const std::vector<LatticeTile>& tiles, Group& group, Group& other) {
   const auto offset = find_touch(tiles, group, other);
   if (!offset) return false;
   const Box box = bounds(group.box, {other.box.first + *offset, other.box.last + *offset});
@@ -111,7 +111,7 @@ bool try_join(const std::vector<Tile>& tiles, Group& group, Group& other) {
 }
 
 // One pass over all pairs. Returns whether any were joined.
-bool join_pairs(const std::vector<Tile>& tiles, std::vector<Group>& groups) {
+bool join_pairs(const std::vector<LatticeTile>& tiles, std::vector<Group>& groups) {
   bool joined = false;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size();) {
@@ -126,7 +126,7 @@ bool join_pairs(const std::vector<Tile>& tiles, std::vector<Group>& groups) {
   return joined;
 }
 
-Mosaic to_mosaic(const std::vector<Tile>& tiles, Group group) {
+Mosaic to_mosaic(const std::vector<LatticeTile>& tiles, Group group) {
   std::sort(group.members.begin(), group.members.end(),
             [](const auto& a, const auto& b) { return a.tile < b.tile; });
   const PostPlacement& anchor = tiles[static_cast<std::size_t>(group.anchor)].placement;
@@ -143,7 +143,7 @@ Mosaic to_mosaic(const std::vector<Tile>& tiles, Group group) {
 
 }  // namespace
 
-std::vector<Mosaic> join_tiles(const std::vector<Tile>& tiles) {
+std::vector<Mosaic> join_tiles(const std::vector<LatticeTile>& tiles) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     groups.push_back(alone(tiles[i], static_cast<int>(i)));

@@ -13,7 +13,7 @@
 
 namespace terrview {
 
-struct Tile {
+struct LatticeTile {
   int columns = 0;
   int rows = 0;
   PostPlacement placement;
@@ -42,6 +42,6 @@ struct Mosaic {
 };
 
 // Every tile in one mosaic; mosaics in the order of their first tiles.
-[[nodiscard]] std::vector<Mosaic> join_tiles(const std::vector<Tile>& tiles);
+[[nodiscard]] std::vector<Mosaic> join_tiles(const std::vector<LatticeTile>& tiles);
 
 }  // namespace terrview

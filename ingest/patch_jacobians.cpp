@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "ingest/patch_jacobians.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,20 +23,20 @@ struct VectorSlopes {
   V u_by_x, v_by_x, u_by_y, v_by_y;
 };
 
-HWY_INLINE VectorSlopes all_lanes(const glm::dmat2& slope) {
+VEC_INLINE VectorSlopes all_lanes(const glm::dmat2& slope) {
   return {of(slope[0].x), of(slope[0].y), of(slope[1].x), of(slope[1].y)};
 }
-HWY_INLINE VectorSlopes multiply_add(const VectorSlopes& a, V b, const VectorSlopes& c) {
+VEC_INLINE VectorSlopes multiply_add(const VectorSlopes& a, V b, const VectorSlopes& c) {
   return {a.u_by_x * b + c.u_by_x, a.v_by_x * b + c.v_by_x, a.u_by_y * b + c.u_by_y,
           a.v_by_y * b + c.v_by_y};
 }
-HWY_INLINE VectorSlopes choose(M mask, const VectorSlopes& a, const VectorSlopes& b) {
+VEC_INLINE VectorSlopes choose(M mask, const VectorSlopes& a, const VectorSlopes& b) {
   return {hn::IfThenElse(mask, a.u_by_x, b.u_by_x), hn::IfThenElse(mask, a.v_by_x, b.v_by_x),
           hn::IfThenElse(mask, a.u_by_y, b.u_by_y), hn::IfThenElse(mask, a.v_by_y, b.v_by_y)};
 }
 
 // As GroundPatch::jacobian().
-HWY_INLINE VectorSlopes slopes_on(const GroundPatch& patch, const VectorPoint& at) {
+VEC_INLINE VectorSlopes slopes_on(const GroundPatch& patch, const VectorPoint& at) {
   const glm::dvec2 centre_m = patch.square().centre_m;
   const V scale = of(patch.shares_per_m());
   const V x = (at.x - of(centre_m.x)) * scale;
@@ -53,7 +54,7 @@ HWY_INLINE VectorSlopes slopes_on(const GroundPatch& patch, const VectorPoint& a
   return sum;
 }
 
-HWY_INLINE VectorPoint nearest(const GroundDisc& disc, const VectorPoint& p) {
+VEC_INLINE VectorPoint nearest(const GroundDisc& disc, const VectorPoint& p) {
   const VectorPoint centre{of(disc.centre_m.x), of(disc.centre_m.y)};
   const VectorPoint away{p.x - centre.x, p.y - centre.y};
   const V away2 = away.x * away.x + away.y * away.y;
@@ -65,7 +66,7 @@ HWY_INLINE VectorPoint nearest(const GroundDisc& disc, const VectorPoint& p) {
 }
 
 // NaN is in every leaf.
-HWY_INLINE M points_in(const PatchTree::Leaf& leaf, const VectorPoint& p) {
+VEC_INLINE M points_in(const PatchTree::Leaf& leaf, const VectorPoint& p) {
   const M low = hn::Or(p.x < of(leaf.low_m.x), p.y < of(leaf.low_m.y));
   const M high = hn::Or(p.x >= of(leaf.high_m.x), p.y >= of(leaf.high_m.y));
   return hn::Not(hn::Or(low, high));
@@ -75,7 +76,7 @@ class Leaves {
  public:
   explicit Leaves(const PatchTree& patches) : patches_(patches), last_(&patches.leaves()[0]) {}
 
-  HWY_INLINE VectorSlopes slopes(const VectorPoint& at) {
+  VEC_INLINE VectorSlopes slopes(const VectorPoint& at) {
     const VectorSlopes found = slopes_on(last_->patch, at);
     const M here = points_in(*last_, at);
     return hn::AllTrue(D(), here) ? found : all_slopes(at);

@@ -77,7 +77,7 @@ class BlockWalls::Crossing {
   // How far the upper edge of the wall lies above the crossing; none: no wall is met there.
   [[nodiscard]] std::optional<double> below_top_m() const {
     const int last = lines_of(grid_, 1 - axis_) - 2;
-    const int place = std::clamp(static_cast<int>(std::floor(place_)), 0, last);
+    const int place = static_cast<int>(std::clamp<double>(std::floor(place_), 0, last));
     if (const auto below = below_top_m(place)) return below;
     const double along = place_ - place;
     if (along < kAtCorner_posts && place > 0) return below_top_m(place - 1);

@@ -69,7 +69,8 @@ class Layout {
   }
 
   [[nodiscard]] bool fits(const Placed& candidate, bool sky_alone) const {
-    const auto& [box, leader] = candidate;
+    const LabelBox& box = candidate.box;
+    const LabelBox& leader = candidate.leader;
     if (box.low_px.x < 0 || box.high_px.x > options_.size_px.x) return false;
     if (leader.low_px.x < box.low_px.x || leader.low_px.x >= box.high_px.x) return false;
     if (sky_alone && !covers_sky_alone(box)) return false;

@@ -10,6 +10,7 @@
 #include "terrain/column_tracer.h"
 #include "terrain/column_walk.h"
 #include "terrain/tracer.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_limits.h"
 
@@ -18,10 +19,10 @@ namespace terrview {
 namespace HWY_NAMESPACE {
 static_assert(kMostLanes == kVectorLanes);
 
-HWY_INLINE V get(const Lanes& lanes) { return hn::Load(D(), lanes.data()); }
-HWY_INLINE void set(Lanes& lanes, V value) { hn::Store(value, D(), lanes.data()); }
+VEC_INLINE V get(const Lanes& lanes) { return hn::Load(D(), lanes.data()); }
+VEC_INLINE void set(Lanes& lanes, V value) { hn::Store(value, D(), lanes.data()); }
 
-HWY_INLINE Registers load(const ColumnState& s, std::uint32_t active) {
+VEC_INLINE Registers load(const ColumnState& s, std::uint32_t active) {
   Registers r{get(s.column), get(s.row),    get(s.g),        get(s.u),        get(s.v),
               get(s.z),      get(s.begin),  get(s.end),      get(s.start_u),  get(s.start_v),
               get(s.rate_u), get(s.rate_v), get(s.metres_u), get(s.metres_v), get(s.x),
@@ -31,7 +32,7 @@ HWY_INLINE Registers load(const ColumnState& s, std::uint32_t active) {
 }
 
 // What advancing changes.
-HWY_INLINE void store(const Registers& r, ColumnState& s) {
+VEC_INLINE void store(const Registers& r, ColumnState& s) {
   set(s.column, r.column);
   set(s.row, r.row);
   set(s.g, r.g);
@@ -41,7 +42,7 @@ HWY_INLINE void store(const Registers& r, ColumnState& s) {
 }
 
 // Records the rays of the lanes in `hit`, whose clearance at `next` is `out`.
-HWY_INLINE void record(ColumnWalk& walk, const Registers& r, const NextCrossing& next, V out,
+VEC_INLINE void record(ColumnWalk& walk, const Registers& r, const NextCrossing& next, V out,
                        std::uint32_t hit) {
   const V in = r.slope * r.g - r.z;
   const V share = hn::IfThenElseZero(in > of(0), in / (in - out));
@@ -63,7 +64,7 @@ HWY_INLINE void record(ColumnWalk& walk, const Registers& r, const NextCrossing&
 }
 
 template <class Act>
-HWY_INLINE void for_each_lane(std::uint32_t lanes, const Act& act) {
+VEC_INLINE void for_each_lane(std::uint32_t lanes, const Act& act) {
   for (; lanes != 0; lanes &= lanes - 1) act(__builtin_ctz(lanes));
 }
 
@@ -94,7 +95,7 @@ class ColumnLoop {
  private:
   // Ends rays above everything, loads track pieces, and drops rays that come over an edge of the
   // ground below it. True if there was anything of the kind.
-  HWY_INLINE bool settle_rare(Registers& r, const NextCrossing& next, std::uint32_t ground,
+  VEC_INLINE bool settle_rare(Registers& r, const NextCrossing& next, std::uint32_t ground,
                               std::uint32_t& on_ground) {
     const std::uint32_t entering = ground & ~on_ground;
     const M cut = next.g > r.end;
@@ -112,7 +113,7 @@ class ColumnLoop {
   }
 
   // Records every ray that meets the ground before `next`.
-  HWY_INLINE void trace_span(Registers& r, const NextCrossing& next, std::uint32_t ground) {
+  VEC_INLINE void trace_span(Registers& r, const NextCrossing& next, std::uint32_t ground) {
     // A span of no length, through a post, holds no hit.
     const std::uint32_t open = ground & bits_of(next.g > r.g);
     tests_ += __builtin_popcount(ground & walk_.active());
@@ -127,7 +128,7 @@ class ColumnLoop {
   }
 
   // Lets lanes that have walked out of the grid enter it again. Returns the lanes.
-  HWY_INLINE std::uint32_t leave(Registers& r) {
+  VEC_INLINE std::uint32_t leave(Registers& r) {
     const std::uint32_t outside = ~bits_of(grid_.is_inside(r)) & walk_.active();
     if (outside == 0) return 0;
     store(r, walk_.state);

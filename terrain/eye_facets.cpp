@@ -13,6 +13,7 @@
 #include "terrain/eye_tracer.h"
 #include "terrain/ground_map.h"
 #include "terrain/set_walk-inl.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,7 +30,7 @@ class SameSlopes {
  public:
   explicit SameSlopes(const glm::dmat2& jacobian)
       : slopes_{of(jacobian[0].x), of(jacobian[0].y), of(jacobian[1].x), of(jacobian[1].y)} {}
-  HWY_INLINE VectorSlopes next() const { return slopes_; }
+  VEC_INLINE VectorSlopes next() const { return slopes_; }
 
  private:
   VectorSlopes slopes_;
@@ -53,7 +54,7 @@ class HitSlopes {
     const auto all = [count](auto& values) { return std::span(values.data(), count); };
     map.jacobians({all(x_m_), all(y_m_)}, {all(u_by_x_), all(v_by_x_), all(u_by_y_), all(v_by_y_)});
   }
-  HWY_INLINE VectorSlopes next() {
+  VEC_INLINE VectorSlopes next() {
     const std::size_t i = next_;
     next_ += hn::Lanes(D());
     return {load(u_by_x_, i), load(v_by_x_, i), load(u_by_y_, i), load(v_by_y_, i)};
@@ -65,12 +66,12 @@ class HitSlopes {
 };
 
 template <class Value>
-HWY_INLINE void save(std::array<Value, EyeRays::kMost>& values, std::size_t first, V value) {
+VEC_INLINE void save(std::array<Value, EyeRays::kMost>& values, std::size_t first, V value) {
   const hn::Rebind<Value, D> d;
   hn::Store(hn::DemoteTo(d, value), d, values.data() + first);
 }
 
-HWY_INLINE void save_misses(EyeFacets& facets, std::size_t first) {
+VEC_INLINE void save_misses(EyeFacets& facets, std::size_t first) {
   save(facets.x, first, of(0));
   save(facets.y, first, of(0));
   save(facets.z, first, of(0));

@@ -18,6 +18,7 @@
 #include "terrain/front_search-inl.h"
 #include "terrain/ray_set.h"
 #include "terrain/set_walk-inl.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -54,7 +55,7 @@ class EyeLoop {
 
   // Takes each vector of rays, and moves those that go on to the front of the set.
   template <class Take>
-  HWY_INLINE void pass(const Take& take) {
+  VEC_INLINE void pass(const Take& take) {
     std::size_t kept = 0;
     for (std::size_t first = 0; first < set_.count; first += hn::Lanes(D())) {
       const std::uint32_t lanes = (1U << std::min(hn::Lanes(D()), set_.count - first)) - 1;
@@ -66,7 +67,7 @@ class EyeLoop {
     set_.count = kept;
   }
 
-  HWY_INLINE void move(std::size_t first, std::uint32_t lanes, std::size_t to) {
+  VEC_INLINE void move(std::size_t first, std::uint32_t lanes, std::size_t to) {
     const auto order = hn::IndicesFromVec(D(), set_lanes(lanes));
     const auto take = [&](EyeRays::Values& values) HWY_ATTR {
       hn::StoreU(hn::TableLookupLanes(load(values, first), order), D(), values.data() + to);
@@ -77,14 +78,14 @@ class EyeLoop {
   }
 
   // The numbers of the lanes, lowest first.
-  static HWY_INLINE auto set_lanes(std::uint32_t lanes) {
+  static VEC_INLINE auto set_lanes(std::uint32_t lanes) {
     const hn::Rebind<std::uint8_t, D> bytes;
     const hn::Rebind<std::int32_t, D> ints;
     const hn::Rebind<std::int64_t, D> longs;
     return hn::PromoteTo(longs, hn::PromoteTo(ints, hn::LoadU(bytes, kSetBits[lanes].data())));
   }
 
-  HWY_INLINE void rescue(std::size_t first, std::uint32_t lanes) {
+  VEC_INLINE void rescue(std::size_t first, std::uint32_t lanes) {
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto i = first + static_cast<std::size_t>(__builtin_ctz(lanes));
       rescues_.rays[rescues_.count++] = static_cast<std::int32_t>(set_.index[i]);
@@ -93,7 +94,7 @@ class EyeLoop {
 
   // Takes rays first, first + 1, ..., which are those of EyeRays in order, through the first cells
   // that they need look at.
-  HWY_INLINE std::uint32_t begin(std::size_t first, std::uint32_t lanes) {
+  VEC_INLINE std::uint32_t begin(std::size_t first, std::uint32_t lanes) {
     save(rays_.ground_m, first, of(-1));
     const V rise = hn::Abs(load(rays_.direction_z, first));
     const V across_x = load(rays_.direction_x, first);
@@ -116,7 +117,7 @@ class EyeLoop {
     return cross<true>(r, corners, active & ~lost, first);
   }
 
-  HWY_INLINE std::uint32_t step(std::size_t first, std::uint32_t lanes) {
+  VEC_INLINE std::uint32_t step(std::size_t first, std::uint32_t lanes) {
     Registers r = walk_.at(first);
     park(r, lanes);
     return cross<false>(r, walk_.grid().corners(r), lanes, first);
@@ -126,7 +127,7 @@ class EyeLoop {
   // they meet: which lanes are settled can't be foreseen. In the first cells the set's order is
   // that of EyeRays.
   template <bool kFirst>
-  HWY_INLINE std::uint32_t cross(Registers& r, const Corners& corners, std::uint32_t active,
+  VEC_INLINE std::uint32_t cross(Registers& r, const Corners& corners, std::uint32_t active,
                                  std::size_t first) {
     const NextCrossing next = walk_.grid().next_crossing(r, corners);
     const V in = r.slope * r.g - r.z;
@@ -161,7 +162,7 @@ class EyeLoop {
     return active;
   }
 
-  HWY_INLINE void record_in_order(const Registers& met, std::uint32_t hit, std::size_t first) {
+  VEC_INLINE void record_in_order(const Registers& met, std::uint32_t hit, std::size_t first) {
     const M mask = mask_of(hit);
     hn::BlendedStore(met.g, mask, D(), rays_.ground_m.data() + first);
     hn::BlendedStore(met.u, mask, D(), rays_.u.data() + first);
@@ -170,7 +171,7 @@ class EyeLoop {
     hn::BlendedStore(met.row, mask, D(), rays_.row.data() + first);
   }
 
-  HWY_INLINE void record(const Registers& met, std::uint32_t hit, std::size_t first) {
+  VEC_INLINE void record(const Registers& met, std::uint32_t hit, std::size_t first) {
     alignas(64) std::array<double, kVectorLanes> lanes[5];
     hn::Store(met.g, D(), lanes[0].data());
     hn::Store(met.u, D(), lanes[1].data());
@@ -189,7 +190,7 @@ class EyeLoop {
   }
 
   // Takes rays over the sectors that they clear; those that clear all there are have missed.
-  HWY_INLINE std::uint32_t look_ahead(std::size_t first, std::uint32_t lanes) {
+  VEC_INLINE std::uint32_t look_ahead(std::size_t first, std::uint32_t lanes) {
     Registers r = walk_.at(first);
     // Past the last ray lie those of before.
     const M held = mask_of(lanes);

@@ -16,6 +16,7 @@
 #include "terrain/eye_tracer.h"
 #include "terrain/scout_set.h"
 #include "terrain/set_walk-inl.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_sectors-inl.h"
 
@@ -45,12 +46,12 @@ class EyeProof {
  private:
   using IntTag = hn::Rebind<std::int32_t, D>;
 
-  static HWY_INLINE V cells(const ScoutSet::Floats& values, std::size_t first) {
+  static VEC_INLINE V cells(const ScoutSet::Floats& values, std::size_t first) {
     return hn::PromoteTo(D(), hn::LoadU(hn::Rebind<float, D>(), values.data() + first));
   }
 
   // Lines come first, all of them: what is found on them need not wait.
-  HWY_INLINE void aim(std::size_t first) {
+  VEC_INLINE void aim(std::size_t first) {
     if (hn::AllFalse(D(), cells(finds_.column, first) >= of(0))) return;
     const VectorLine line =
         line_under(load(rays_.direction_x, first), load(rays_.direction_y, first),
@@ -65,7 +66,7 @@ class EyeProof {
     }
   }
 
-  HWY_INLINE void prove(std::size_t first) {
+  VEC_INLINE void prove(std::size_t first) {
     const V column = cells(finds_.column, first);
     const M found = column >= of(0);
     if (hn::AllFalse(D(), found)) {
@@ -98,7 +99,7 @@ class EyeProof {
   }
 
   // The lines, or their pieces, from where they come into the cells.
-  HWY_INLINE Entry lay(Registers& r, M found, std::size_t first) const {
+  VEC_INLINE Entry lay(Registers& r, M found, std::size_t first) const {
     if constexpr (kBent) return lay_pieces(r, found, first);
     const LinearRates rates = rates_along({r.x, r.y, r.slope}, *jacobian_);
     r.begin = of(0);
@@ -112,7 +113,7 @@ class EyeProof {
     return enter(grid_, eye_, r);
   }
 
-  HWY_INLINE Entry lay_pieces(Registers& r, M found, std::size_t first) const {
+  VEC_INLINE Entry lay_pieces(Registers& r, M found, std::size_t first) const {
     const auto first_piece = hn::Load(IntTag(), first_piece_.data() + first);
     const auto piece = hn::Load(IntTag(), finds_.piece.data() + first);
     load_piece(*tracks_, eye_, first_piece, piece, found, r);

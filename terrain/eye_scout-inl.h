@@ -23,6 +23,7 @@
 #include "terrain/scout_lines-inl.h"
 #include "terrain/scout_set.h"
 #include "terrain/scout_walk-inl.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_sectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -72,11 +73,11 @@ class EyeScout {
     VF x, y;
   };
 
-  static HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
-  static HWY_INLINE VI of_int(std::int32_t x) { return hn::Set(I(), x); }
-  static HWY_INLINE MF no_lanes() { return of(0) > of(0); }
+  static VEC_INLINE VF of(float x) { return hn::Set(F(), x); }
+  static VEC_INLINE VI of_int(std::int32_t x) { return hn::Set(I(), x); }
+  static VEC_INLINE MF no_lanes() { return of(0) > of(0); }
 
-  static HWY_INLINE VF as_floats(const EyeRays::Values& values, std::size_t first) {
+  static VEC_INLINE VF as_floats(const EyeRays::Values& values, std::size_t first) {
 #if HWY_TARGET == HWY_SCALAR
     return of(static_cast<float>(values[first]));
 #else
@@ -90,7 +91,7 @@ class EyeScout {
 
   // What is kept of a ray but for its index and its cell.
   template <class VisitFloats, class VisitInts>
-  HWY_INLINE void visit(Scout& s, const VisitFloats& floats, const VisitInts& ints) {
+  VEC_INLINE void visit(Scout& s, const VisitFloats& floats, const VisitInts& ints) {
     ints(s.wedge, set_.wedge);
     floats(s.w.slope, set_.slope);
     floats(s.w.g, set_.g);
@@ -108,7 +109,7 @@ class EyeScout {
     }
   }
 
-  HWY_INLINE Scout load(std::size_t first) {
+  VEC_INLINE Scout load(std::size_t first) {
     Scout s;
     visit(
         s,
@@ -125,7 +126,7 @@ class EyeScout {
   }
 
   // Finds where rays first, first + 1, ... may first meet the ground. NaN: floats can't tell.
-  HWY_INLINE void aim(std::size_t first) {
+  VEC_INLINE void aim(std::size_t first) {
     Scout s;
     const VF across_x = as_floats(rays_.direction_x, first);
     const VF across_y = as_floats(rays_.direction_y, first);
@@ -160,7 +161,7 @@ class EyeScout {
   }
 
   // The place in the front's starts.
-  HWY_INLINE VI start_of(const Scout& s) const {
+  VEC_INLINE VI start_of(const Scout& s) const {
     constexpr float kHalfway = EyeFront::kHalfwaySlope;
     const VF bin = (s.w.slope / (of(kHalfway) + hn::Abs(s.w.slope)) + of(1)) *
                    of(static_cast<float>(EyeFront::kStartBins / 2));
@@ -170,7 +171,7 @@ class EyeScout {
   }
 
   // Makes the groups of wedges that have not been made.
-  HWY_INLINE void make_groups(VI groups) {
+  VEC_INLINE void make_groups(VI groups) {
     if (hn::AllTrue(I(), groups == of_int(made_))) return;
     alignas(64) std::array<std::int32_t, 16> lanes;
     hn::Store(groups, I(), lanes.data());
@@ -182,13 +183,13 @@ class EyeScout {
   }
 
   // A distance up to which a ray is clear where it is up to this one, which may be off by rounding.
-  HWY_INLINE VF safely(VF clear_m) const {
+  VEC_INLINE VF safely(VF clear_m) const {
     constexpr float kRounding = 0x1p-20F;
     return clear_m * of(1 - kRounding) - of(static_cast<float>(front_.margin_m()));
   }
 
   // Rays first, first + 1, ... through their first cells.
-  HWY_INLINE void begin(std::size_t first) {
+  VEC_INLINE void begin(std::size_t first) {
     const MF here = mask_from(F(), (1U << std::min(kLanes, rays_.count - first)) - 1);
     Scout s = load(first);
     s.index = of_int(static_cast<std::int32_t>(first)) + hn::Iota(I(), 0);
@@ -208,7 +209,7 @@ class EyeScout {
   }
 
   // Further cells of rays first, first + 1, ... of the set.
-  HWY_INLINE void go_on(std::size_t first, std::uint32_t lanes) {
+  VEC_INLINE void go_on(std::size_t first, std::uint32_t lanes) {
     Scout s = load(first);
     s.w.column = hn::Load(F(), set_.column.data() + first);
     s.w.row = hn::Load(F(), set_.row.data() + first);
@@ -223,7 +224,7 @@ class EyeScout {
   }
 
   // Takes rays over the sectors that they clear; those that clear all there are have missed.
-  HWY_INLINE void look_ahead(Scout& s, Fates& fates) const {
+  VEC_INLINE void look_ahead(Scout& s, Fates& fates) const {
     // Past the last ray lies anything.
     const VI wedge = hn::IfThenElseZero(hn::RebindMask(I(), fates.active), s.wedge);
     const VI here = search_.ring_of(s.w.g);
@@ -269,7 +270,7 @@ class EyeScout {
   }
 
   // Puts by what is left to do. The set has room: it never grows beyond what was read of it.
-  HWY_INLINE void keep(Scout& s, Fates& fates) {
+  VEC_INLINE void keep(Scout& s, Fates& fates) {
     if constexpr (kBent) {
       s.w.g = hn::IfThenElse(fates.at_knot, s.w.end, s.w.g);
       s.piece = s.piece + hn::IfThenElseZero(hn::RebindMask(I(), fates.at_knot), of_int(1));

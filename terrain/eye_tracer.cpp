@@ -20,6 +20,7 @@
 #include "terrain/eye_tracks.h"
 #include "terrain/ray_set.h"
 #include "terrain/tracer.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_sectors-inl.h"
 
@@ -28,7 +29,7 @@ namespace terrview {
 namespace HWY_NAMESPACE {
 
 // Makes groups of wedges of a front; `made` is the last one that is known to be.
-HWY_INLINE void make_groups(const EyeFront& front, V groups, double& made) {
+VEC_INLINE void make_groups(const EyeFront& front, V groups, double& made) {
   if (hn::AllTrue(D(), groups == of(made))) return;
   alignas(64) std::array<double, kVectorLanes> lanes;
   hn::Store(groups, D(), lanes.data());

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "terrain/eye_front.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_masks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,7 +32,7 @@ class FrontSearch {
   explicit FrontSearch(const EyeFront& front) : front_(front), rings_(front.rings()) {}
 
   // Where rays from these places of EyeFront::starts_m() may first meet the ground.
-  HWY_INLINE VF start_m(VI place) const { return hn::GatherIndex(F(), front_.starts_m(), place); }
+  VEC_INLINE VF start_m(VI place) const { return hn::GatherIndex(F(), front_.starts_m(), place); }
 
   // A ring that a ray may meet the ground in, and how far away: none is rings().
   struct Place {
@@ -40,7 +41,7 @@ class FrontSearch {
   };
 
   // The first one from ring `here` on, by the bounds of a wedge.
-  HWY_INLINE Place next(VI here, VF ray_slope, VI wedge, MF lanes) const {
+  VEC_INLINE Place next(VI here, VF ray_slope, VI wedge, MF lanes) const {
     const VF slope = ray_slope - hn::Abs(ray_slope) * of(kRounding);
     const VI block = hn::ShiftRight<kStrideBits>(here);
     const VF beyond =
@@ -58,7 +59,7 @@ class FrontSearch {
   }
 
   // The ring in which a distance lies, or within rounding the one before.
-  HWY_INLINE VI ring_of(VF distance_m) const {
+  VEC_INLINE VI ring_of(VF distance_m) const {
     const std::span<const std::int32_t> rings = front_.ring_at_step();
     const VF at_m = distance_m * of(1 - kRounding);
     const VF step = hn::Min(at_m * of(static_cast<float>(1 / front_.step_m())) * of(1 - kRounding),
@@ -71,7 +72,7 @@ class FrontSearch {
     return hn::IfThenElse(hn::RebindMask(I(), ring_at(next) <= at_m), next, ring);
   }
 
-  HWY_INLINE MF is_none(VI ring) const {
+  VEC_INLINE MF is_none(VI ring) const {
     return hn::RebindMask(F(), ring > hn::Set(I(), rings_ - 1));
   }
 
@@ -80,25 +81,25 @@ class FrontSearch {
   static constexpr int kStrideBits = EyeFront::kStrideBits;
   static constexpr int kGroupBits = EyeFront::kGroupBits;
 
-  static HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
+  static VEC_INLINE VF of(float x) { return hn::Set(F(), x); }
 
-  HWY_INLINE VF ring_at(VI ring) const {
+  VEC_INLINE VF ring_at(VI ring) const {
     return hn::GatherIndex(F(), front_.near_m().data(), ring);
   }
 
   // The bound of a ring in a wedge; infinite past the last ring.
-  HWY_INLINE VF sector_bound(VI wedge, VI ring) const {
+  VEC_INLINE VF sector_bound(VI wedge, VI ring) const {
     return hn::GatherIndex(F(), front_.bounds(), in_group(wedge, ring, rings_ + 1));
   }
 
-  HWY_INLINE VI in_group(VI wedge, VI ring, int rings) const {
+  VEC_INLINE VI in_group(VI wedge, VI ring, int rings) const {
     const VI group = hn::ShiftRight<kGroupBits>(wedge);
     const VI in_group = hn::And(wedge, hn::Set(I(), EyeFront::kGroup - 1));
     return hn::ShiftLeft<kGroupBits>(group * hn::Set(I(), rings) + ring) + in_group;
   }
 
   // The first ring from `ring` on whose bound reaches the slope.
-  HWY_INLINE VI search(VI ring, VF slope, VI wedge, MF lanes) const {
+  VEC_INLINE VI search(VI ring, VF slope, VI wedge, MF lanes) const {
     const VI one = hn::Set(I(), 1);
     const VI stride = hn::Set(I(), EyeFront::kStride);
     while (true) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "terrain/height_ceilings.h"
+#include "terrain/vec_inline.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -18,7 +19,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // The higher of two heights; NaN counts as none.
-HWY_INLINE float higher(float a, float b) { return b > a ? b : a; }
+VEC_INLINE float higher(float a, float b) { return b > a ? b : a; }
 
 // out[i] = the highest of column i of `rows` rows. `out` starts at -infinity.
 void highest_of_rows(const float* posts, std::size_t columns, std::size_t rows, float* out) {

@@ -15,6 +15,7 @@
 #include "terrain/march_set.h"
 #include "terrain/sun_map.h"
 #include "terrain/terrain.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_masks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -79,31 +80,31 @@ class Marcher {
   };
 
   template <class Step>
-  HWY_INLINE void each_vector(const Step& step) {
+  VEC_INLINE void each_vector(const Step& step) {
     for (std::size_t first = 0; first < set_.count; first += kLanes)
       if (set_.marching[first / kLanes] != 0) step(first);
   }
 
-  static HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
-  static HWY_INLINE VI of_int(std::int32_t x) { return hn::Set(I(), x); }
-  static HWY_INLINE VF get(const MarchSet::Floats& values, std::size_t first) {
+  static VEC_INLINE VF of(float x) { return hn::Set(F(), x); }
+  static VEC_INLINE VI of_int(std::int32_t x) { return hn::Set(I(), x); }
+  static VEC_INLINE VF get(const MarchSet::Floats& values, std::size_t first) {
     return hn::Load(F(), values.data() + first);
   }
-  static HWY_INLINE VI get(const MarchSet::Ints& values, std::size_t first) {
+  static VEC_INLINE VI get(const MarchSet::Ints& values, std::size_t first) {
     return hn::Load(I(), values.data() + first);
   }
-  static HWY_INLINE std::uint32_t bits_of(MF mask) { return mask_bits(F(), mask); }
-  static HWY_INLINE MF mask_of(std::uint32_t bits) { return mask_from(F(), bits); }
-  static HWY_INLINE VI choose(MF mask, VI yes, VI no) {
+  static VEC_INLINE std::uint32_t bits_of(MF mask) { return mask_bits(F(), mask); }
+  static VEC_INLINE MF mask_of(std::uint32_t bits) { return mask_from(F(), bits); }
+  static VEC_INLINE VI choose(MF mask, VI yes, VI no) {
     return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no);
   }
 
-  HWY_INLINE std::uint32_t lanes_from(std::size_t first) const {
+  VEC_INLINE std::uint32_t lanes_from(std::size_t first) const {
     return (1U << std::min(kLanes, set_.count - first)) - 1;
   }
 
   // Where rays leave blocks of cells, from the lines before the blocks to those after them.
-  HWY_INLINE Exit leave(std::size_t first, VI west, VI east, VI north, VI south) const {
+  VEC_INLINE Exit leave(std::size_t first, VI west, VI east, VI north, VI south) const {
     const VF rate_u = get(set_.rate_u, first);
     const VF rate_v = get(set_.rate_v, first);
     const VF u = get(set_.u, first);
@@ -130,12 +131,12 @@ class Marcher {
 
   // Lanes whose place between two lines is not known, of the share of the way from one to the
   // other.
-  static HWY_INLINE MF in_doubt(VF share, VF doubt) {
+  static VEC_INLINE MF in_doubt(VF share, VF doubt) {
     return hn::Or(share<doubt, share> of(1) - doubt);
   }
 
   // Whether the cells with these first posts have a height at each of their corners.
-  HWY_INLINE MF has_ground(VI post) const {
+  VEC_INLINE MF has_ground(VI post) const {
     const float* heights_m = grid_.heights_m.data();
     const VF north =
         hn::GatherIndex(F(), heights_m, post) + hn::GatherIndex(F(), heights_m, post + of_int(1));
@@ -147,7 +148,7 @@ class Marcher {
   }
 
   // One cell of rays first, first + 1, ...
-  HWY_INLINE void cross_cells(std::size_t first) {
+  VEC_INLINE void cross_cells(std::size_t first) {
     std::uint32_t active = set_.marching[first / kLanes];
     const VI column = get(set_.column, first);
     const VI row = get(set_.row, first);
@@ -201,7 +202,7 @@ class Marcher {
   }
 
   // One block of 2^level x 2^level cells.
-  HWY_INLINE void cross_blocks(std::size_t first, int level) {
+  VEC_INLINE void cross_blocks(std::size_t first, int level) {
     std::uint32_t active = set_.marching[first / kLanes];
     const VI column = get(set_.column, first);
     const VI row = get(set_.row, first);
@@ -242,7 +243,7 @@ class Marcher {
   }
 
   // Moves the `active` lanes; those that have left the grid, or rise above all of it, are decided.
-  HWY_INLINE void go_on(std::size_t first, std::uint32_t active, const Exit& exit, VI column,
+  VEC_INLINE void go_on(std::size_t first, std::uint32_t active, const Exit& exit, VI column,
                         VI row) {
     const VF g = exit.g;
     const MF moving = mask_of(active);
@@ -269,7 +270,7 @@ class Marcher {
 
   // Decides what the map of the sun knows of rays that come to a cell from above; returns the
   // others.
-  HWY_INLINE std::uint32_t look_up(std::size_t first, std::uint32_t active, const Exit& exit,
+  VEC_INLINE std::uint32_t look_up(std::size_t first, std::uint32_t active, const Exit& exit,
                                    VI column, VI row) {
     using Codes = SunMap::Codes;
     const Codes& codes = sun_->codes();
@@ -305,7 +306,7 @@ class Marcher {
     return active & ~(free_lanes | stopped_lanes);
   }
 
-  HWY_INLINE void settle(std::size_t first, std::uint32_t lanes, March fate) {
+  VEC_INLINE void settle(std::size_t first, std::uint32_t lanes, March fate) {
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto i = first + static_cast<std::size_t>(__builtin_ctz(lanes));
       fates_[static_cast<std::size_t>(set_.index[i])] = fate;

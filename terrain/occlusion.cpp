@@ -16,6 +16,7 @@
 #include "terrain/occlusion.h"
 #include "terrain/tracer.h"
 #include "terrain/track_piece.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_limits.h"
 
@@ -94,20 +95,20 @@ class MarchStart {
   }
 
  private:
-  HWY_INLINE V get(const MarchLines::Doubles& values, std::size_t first) const {
+  VEC_INLINE V get(const MarchLines::Doubles& values, std::size_t first) const {
     return hn::Load(D(), values.data() + first);
   }
-  HWY_INLINE void keep(MarchLines::Doubles& values, std::size_t first, V value) const {
+  VEC_INLINE void keep(MarchLines::Doubles& values, std::size_t first, V value) const {
     hn::Store(value, D(), values.data() + first);
   }
-  HWY_INLINE std::uint32_t lanes_from(std::size_t first) const {
+  VEC_INLINE std::uint32_t lanes_from(std::size_t first) const {
     return (1U << std::min(hn::Lanes(D()), lines_.count - first)) - 1;
   }
-  HWY_INLINE void put(MarchSet::Floats& values, std::size_t first, V value) const {
+  VEC_INLINE void put(MarchSet::Floats& values, std::size_t first, V value) const {
     const hn::Rebind<float, D> floats;
     hn::Store(hn::DemoteTo(floats, value), floats, values.data() + first);
   }
-  HWY_INLINE void put(MarchSet::Ints& values, std::size_t first, V value) const {
+  VEC_INLINE void put(MarchSet::Ints& values, std::size_t first, V value) const {
     const hn::Rebind<std::int32_t, D> ints;
     hn::Store(hn::DemoteTo(ints, value), ints, values.data() + first);
   }
@@ -119,13 +120,13 @@ class MarchStart {
           lines_.index[first + static_cast<std::size_t>(__builtin_ctz(lanes))])] = fate;
   }
 
-  HWY_INLINE V cell(V uv, int posts) const {
+  VEC_INLINE V cell(V uv, int posts) const {
     return hn::Max(of(0), hn::Min(hn::Floor(uv), of(posts - 2)));
   }
 
   // Whether a line rises or falls by so much of the Earth's radius within a post that its heights
   // there, and so its rise, say nothing of those before.
-  HWY_INLINE M turns_over(std::size_t first) const {
+  VEC_INLINE M turns_over(std::size_t first) const {
     const VerticalFrame& frame = terrain_.frame();
     const double curvature = std::max(frame.north_curvature_per_m, frame.east_curvature_per_m);
     const V rate = hn::Max(hn::Abs(get(lines_.rate_u, first)), hn::Abs(get(lines_.rate_v, first)));
@@ -134,7 +135,7 @@ class MarchStart {
 
   // Whether single precision may take the beginning of a line for a place on the last column or
   // row of posts, which it would leave at once.
-  HWY_INLINE M at_far_border(std::size_t first) const {
+  VEC_INLINE M at_far_border(std::size_t first) const {
     constexpr double kPlace = 0x1p-18;
     const HeightGrid& grid = *terrain_.layers()[0].grid;
     return hn::Or(get(lines_.start_u, first) > of(grid.columns - 1 - kPlace),
@@ -142,7 +143,7 @@ class MarchStart {
   }
 
   // As GridWalk stands at the beginning of a line; NaN over a hole.
-  HWY_INLINE V start_clearance(std::size_t first) const {
+  VEC_INLINE V start_clearance(std::size_t first) const {
     const HeightGrid& grid = *terrain_.layers()[0].grid;
     const V u = get(lines_.start_u, first);
     const V v = get(lines_.start_v, first);
@@ -163,7 +164,7 @@ class MarchStart {
     return get(lines_.z0, first) - frame_.z(x, y, north + f_v * (south - north));
   }
 
-  HWY_INLINE void put_in_cell(std::size_t first) {
+  VEC_INLINE void put_in_cell(std::size_t first) {
     const HeightGrid& grid = *terrain_.layers()[0].grid;
     const V u = get(lines_.start_u, first);
     const V v = get(lines_.start_v, first);
@@ -184,7 +185,7 @@ class MarchStart {
   }
 
   // Heights of the ray over its line: a secant over one post.
-  HWY_INLINE void rise(std::size_t first) {
+  VEC_INLINE void rise(std::size_t first) {
     const V begin = get(lines_.begin, first);
     const V slope = get(lines_.slope, first);
     const V rate = hn::Max(hn::Abs(get(lines_.rate_u, first)), hn::Abs(get(lines_.rate_v, first)));

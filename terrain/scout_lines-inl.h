@@ -19,6 +19,7 @@
 
 #include "terrain/eye_tracks.h"
 #include "terrain/scout_walk-inl.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_masks-inl.h"
 #include "terrain/vector_sectors-inl.h"
 #include "terrain/vector_tracks-inl.h"
@@ -43,7 +44,7 @@ class ScoutLines {
   }
 
   // Sets the rates of lines.
-  HWY_INLINE void lay(typename Walker::Walk& w, VF x, VF y) const {
+  VEC_INLINE void lay(typename Walker::Walk& w, VF x, VF y) const {
     w.rate_u = of(jacobian_[0][0]) * x + of(jacobian_[1][0]) * y;
     w.rate_v = of(jacobian_[0][1]) * x + of(jacobian_[1][1]) * y;
     w.metres_u = of(1) / w.rate_u;
@@ -51,7 +52,7 @@ class ScoutLines {
   }
 
  private:
-  static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
+  static VEC_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
 
   const glm::dmat2& jacobian_;
 };
@@ -76,18 +77,18 @@ class ScoutLines<Ground::bent> {
   [[nodiscard]] int pieces() const { return tracks_.pieces(); }
 
   // The pieces that distances lie on.
-  HWY_INLINE VI piece_at(VF g) const {
+  VEC_INLINE VI piece_at(VF g) const {
     return hn::ConvertTo(I(), pieces_at(F(), tracks_.knots_m(), g));
   }
 
   // The first pieces of the tracks of directions.
-  HWY_INLINE VI first_piece(VF x, VF y) const {
+  VEC_INLINE VI first_piece(VF x, VF y) const {
     return hn::ConvertTo(I(), sectors_of(F(), x, y, tracks_.sectors_a_side())) *
            hn::Set(I(), tracks_.pieces());
   }
 
   // Loads pieces, counted from first ones; of other lanes than `lanes`, any.
-  HWY_INLINE void lay(Walker::Walk& w, VF x, VF y, VI first_piece, VI piece, MF lanes) const {
+  VEC_INLINE void lay(Walker::Walk& w, VF x, VF y, VI first_piece, VI piece, MF lanes) const {
     const std::uint32_t wanted = mask_bits(F(), lanes);
     const auto line = shared_rows<EyeTracks::kCoefficients>(
         F(), tracks_.lines().data(), EyeTracks::kCoefficients, first_piece + piece, wanted);
@@ -101,7 +102,7 @@ class ScoutLines<Ground::bent> {
   }
 
  private:
-  static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
+  static VEC_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
 
   const EyeTracks& tracks_;
   glm::dvec2 eye_;

@@ -23,6 +23,7 @@
 #include <glm/common.hpp>
 
 #include "terrain/terrain.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_masks-inl.h"
 #include "terrain/vertical_math.h"
 
@@ -77,13 +78,13 @@ class ScoutWalk {
   }
 
   // The eye, in posts from its cell.
-  HWY_INLINE VF eye_u() const { return of(eye_u_); }
-  HWY_INLINE VF eye_v() const { return of(eye_v_); }
+  VEC_INLINE VF eye_u() const { return of(eye_u_); }
+  VEC_INLINE VF eye_v() const { return of(eye_v_); }
   // The cells of walks, in the grid.
-  HWY_INLINE VF column_of(const Walk& w) const { return w.column - of(first_column_); }
-  HWY_INLINE VF row_of(const Walk& w) const { return w.row - of(first_row_); }
+  VEC_INLINE VF column_of(const Walk& w) const { return w.column - of(first_column_); }
+  VEC_INLINE VF row_of(const Walk& w) const { return w.row - of(first_row_); }
   // 1 / R along directions from the eye.
-  HWY_INLINE VF curvature(VF x, VF y) const {
+  VEC_INLINE VF curvature(VF x, VF y) const {
     return x * x * of(static_cast<float>(frame_.east_curvature_per_m)) +
            y * y * of(static_cast<float>(frame_.north_curvature_per_m));
   }
@@ -91,7 +92,7 @@ class ScoutWalk {
   [[nodiscard]] std::int64_t tests() const { return tests_; }
 
   // Puts the active walks into their cells. At the border of the grid they are unsure.
-  HWY_INLINE void seat(Walk& w, Fates& fates) const {
+  VEC_INLINE void seat(Walk& w, Fates& fates) const {
     const VF u = w.rate_u * w.g + w.base_u;
     const VF v = w.rate_v * w.g + w.base_v;
     w.column = hn::Floor(u);
@@ -105,7 +106,7 @@ class ScoutWalk {
   }
 
   // Up to kCells cells. Those that hit stay in theirs; those that leave the grid are done.
-  HWY_INLINE void cross_cells(Walk& w, Fates& fates) {
+  VEC_INLINE void cross_cells(Walk& w, Fates& fates) {
     Course course = course_of(w);
     for (int i = 0; i < kCells && !hn::AllFalse(F(), fates.active); ++i) cross(w, course, fates);
     const MF outside = hn::Not(is_inside(w));
@@ -126,11 +127,11 @@ class ScoutWalk {
   static constexpr float kPlace = 0x1p-20F;
   static constexpr float kPlaceGrowth = 0x1p-20F;
 
-  static HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
-  static HWY_INLINE VI of_int(std::int32_t x) { return hn::Set(I(), x); }
+  static VEC_INLINE VF of(float x) { return hn::Set(F(), x); }
+  static VEC_INLINE VI of_int(std::int32_t x) { return hn::Set(I(), x); }
 
   // How far places on the line are off, in posts.
-  HWY_INLINE VF stray_at(VF g) const { return of(stray_growth_) * g + of(kPlace); }
+  VEC_INLINE VF stray_at(VF g) const { return of(stray_growth_) * g + of(kPlace); }
 
   // What does not change while a ray crosses a few cells. A walk leaves a cell over a column or a
   // row; of both, the next line ahead, the step beyond, and how far off the crossing may be.
@@ -144,7 +145,7 @@ class ScoutWalk {
     VI post;              // the first of the cell
   };
 
-  HWY_INLINE Course course_of(const Walk& w) const {
+  VEC_INLINE Course course_of(const Walk& w) const {
     Course c;
     const MF east = w.rate_u > of(0);
     const MF south = w.rate_v > of(0);
@@ -185,7 +186,7 @@ class ScoutWalk {
   }
 
   // The height of a post; beyond the grid, of another.
-  HWY_INLINE VF post_at(VI post) const {
+  VEC_INLINE VF post_at(VI post) const {
     const hn::RebindToUnsigned<F> unsigned_ints;
     const VI known = hn::BitCast(
         I(), hn::Min(hn::BitCast(unsigned_ints, post), hn::Set(unsigned_ints, last_post_)));
@@ -193,7 +194,7 @@ class ScoutWalk {
   }
 
   // The scene height of a ray.
-  HWY_INLINE VF height_at(const Walk& w, VF g) const {
+  VEC_INLINE VF height_at(const Walk& w, VF g) const {
     if constexpr (kGround == Ground::flat) return hn::MulAdd(w.slope, g, of(eye_height_m_));
     const VF gamma = g * w.curvature;
     const VF gamma2 = gamma * gamma;
@@ -203,7 +204,7 @@ class ScoutWalk {
     return (up + of(eye_height_m_)) / (of(1) - w.curvature * up);
   }
 
-  static HWY_INLINE VF series(const std::array<double, 6>& coefficients, VF x) {
+  static VEC_INLINE VF series(const std::array<double, 6>& coefficients, VF x) {
     VF sum = of(static_cast<float>(coefficients[5]));
     for (std::size_t i = 5; i-- > 0;)
       sum = hn::MulAdd(sum, x, of(static_cast<float>(coefficients[i])));
@@ -211,7 +212,7 @@ class ScoutWalk {
   }
 
   // One cell; beyond the grid, a cell of what is not ground.
-  HWY_INLINE void cross(Walk& w, Course& c, Fates& fates) {
+  VEC_INLINE void cross(Walk& w, Course& c, Fates& fates) {
     const VF g_u = hn::MulAdd(w.column, w.metres_u, c.before_u);
     const VF g_v = hn::MulAdd(w.row, w.metres_v, c.before_v);
     const MF over_column = g_u <= g_v;
@@ -250,7 +251,7 @@ class ScoutWalk {
     c.post = c.post + hn::IfThenElse(over_column_i, c.post_step_u, c.post_step_v);
   }
 
-  HWY_INLINE MF is_inside(const Walk& w) const {
+  VEC_INLINE MF is_inside(const Walk& w) const {
     return hn::And(hn::And(w.column >= of(first_column_), w.column <= of(last_column_)),
                    hn::And(w.row >= of(first_row_), w.row <= of(last_row_)));
   }

@@ -14,6 +14,7 @@
 #include "terrain/eye_tracks.h"
 #include "terrain/sector_bounds.h"
 #include "terrain/square_sectors.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,7 +38,7 @@ class SectorBounds {
         edges_(edges) {}
 
   // The bounds of the sectors of lanes `first`, ... of the group.
-  HWY_INLINE V at(const SectorRing& ring, std::size_t first) const {
+  VEC_INLINE V at(const SectorRing& ring, std::size_t first) const {
     M outside;
     M wide;
     const V height = highest(ring, first, outside, wide);
@@ -61,7 +62,7 @@ class SectorBounds {
   };
 
   // Those between the least and the greatest coordinate of a sector's corners.
-  HWY_INLINE Blocks blocks(int level, const std::array<V, 4>& corners, double last_cell, M& outside,
+  VEC_INLINE Blocks blocks(int level, const std::array<V, 4>& corners, double last_cell, M& outside,
                            M& wide) const {
     const V low = hn::Min(hn::Min(corners[0], corners[1]), hn::Min(corners[2], corners[3])) -
                   of(margin_cells_);
@@ -79,7 +80,7 @@ class SectorBounds {
 
   // Along one axis, where the edges cross the ends of a ring.
   using PieceValues = WedgeEdges::Values WedgeEdges::Piece::*;
-  HWY_INLINE std::array<V, 4> corners(const SectorRing& ring, std::size_t first, PieceValues start,
+  VEC_INLINE std::array<V, 4> corners(const SectorRing& ring, std::size_t first, PieceValues start,
                                       PieceValues rate) const {
     const auto at = [&](const std::vector<WedgeEdges::Piece>& pieces, std::size_t piece,
                         double distance_m) HWY_ATTR {
@@ -94,7 +95,7 @@ class SectorBounds {
             at(edges_.pieces_b, ring.far_piece, far_m)};
   }
 
-  HWY_INLINE V highest(const SectorRing& ring, std::size_t first, M& outside, M& wide) const {
+  VEC_INLINE V highest(const SectorRing& ring, std::size_t first, M& outside, M& wide) const {
     using Piece = WedgeEdges::Piece;
     M outside_u;
     M outside_v;
@@ -119,7 +120,7 @@ class SectorBounds {
     return hn::PromoteTo(D(), hn::Max(north, south));
   }
 
-  HWY_INLINE V highest_of_cells(const Blocks& u, const Blocks& v) const {
+  VEC_INLINE V highest_of_cells(const Blocks& u, const Blocks& v) const {
     V highest = of(-std::numeric_limits<double>::infinity());
     for (const V row : {v.first, v.first + of(1), v.last + of(1)})
       for (const V column : {u.first, u.first + of(1), u.last + of(1)}) {
@@ -131,7 +132,7 @@ class SectorBounds {
 
   // The highest z over the sector. Along an edge z is monotonic in the distance, or bends by less
   // than the slack; and in the azimuth, because no wedge crosses an axis.
-  HWY_INLINE V ceiling(const SectorRing& ring, std::size_t first, V height) const {
+  VEC_INLINE V ceiling(const SectorRing& ring, std::size_t first, V height) const {
     if (flat_) return of(z_scale_) * height - of(eye_height_m_);
     const V x_a = hn::Load(D(), edges_.x_a.data() + first);
     const V y_a = hn::Load(D(), edges_.y_a.data() + first);

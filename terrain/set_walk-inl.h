@@ -18,6 +18,7 @@
 #include "terrain/grid_walk.h"
 #include "terrain/ray_set.h"
 #include "terrain/track_piece.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_tracks-inl.h"
 
@@ -25,10 +26,10 @@ HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE V load(const EyeRays::Values& values, std::size_t first) {
+VEC_INLINE V load(const EyeRays::Values& values, std::size_t first) {
   return hn::Load(D(), values.data() + first);
 }
-HWY_INLINE void save(EyeRays::Values& values, std::size_t first, V value) {
+VEC_INLINE void save(EyeRays::Values& values, std::size_t first, V value) {
   hn::Store(value, D(), values.data() + first);
 }
 
@@ -39,7 +40,7 @@ struct Entry {
 };
 
 // Where the lanes came into their cells.
-HWY_INLINE Entry enter(const VectorGrid& grid, const EyeCell& eye, Registers& r) {
+VEC_INLINE Entry enter(const VectorGrid& grid, const EyeCell& eye, Registers& r) {
   const M at_eye = hn::And(r.column == of(eye.column), r.row == of(eye.row));
   const Corners corners = grid.corners(r);
   const M entered = grid.enter_cell(r, corners);
@@ -51,7 +52,7 @@ HWY_INLINE Entry enter(const VectorGrid& grid, const EyeCell& eye, Registers& r)
 }
 
 // Where a ray meets the ground, at the share of the way between two crossings.
-HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V share) {
+VEC_INLINE Registers between(const Registers& r, const NextCrossing& next, V share) {
   Registers met = r;
   met.g = r.g + share * (next.g - r.g);
   met.u = r.u + share * (next.u - r.u);
@@ -62,7 +63,7 @@ HWY_INLINE Registers between(const Registers& r, const NextCrossing& next, V sha
 // Loads pieces, counted from the first ones of tracks, for lines whose directions `r` holds; of
 // other lanes than `lanes`, any.
 using VectorInts = hn::Vec<hn::Rebind<std::int32_t, D>>;
-HWY_INLINE void load_piece(const EyeTracks& tracks, const EyeCell& eye, VectorInts first_piece,
+VEC_INLINE void load_piece(const EyeTracks& tracks, const EyeCell& eye, VectorInts first_piece,
                            VectorInts piece, M lanes, Registers& r) {
   const std::uint32_t wanted = bits_of(lanes);
   const auto [begin, end] = shared_rows<2>(D(), tracks.knots_m().data(), 1, piece, wanted);
@@ -97,7 +98,7 @@ class SetWalk {
   [[nodiscard]] const VectorGrid& grid() const { return grid_; }
 
   // Rays first, first + 1, ... of the set before their walks.
-  HWY_INLINE Registers lines(std::size_t first) const {
+  VEC_INLINE Registers lines(std::size_t first) const {
     Registers r;
     r.x = load(set_.x, first);
     r.y = load(set_.y, first);
@@ -115,7 +116,7 @@ class SetWalk {
   }
 
   // The walk as it stands at rays first, first + 1, ... of the set.
-  HWY_INLINE Registers at(std::size_t first) const {
+  VEC_INLINE Registers at(std::size_t first) const {
     Registers r = lines(first);
     if constexpr (kBent) {
       r.begin = load(set_.begin, first);
@@ -132,7 +133,7 @@ class SetWalk {
     return r;
   }
 
-  HWY_INLINE void keep(const Registers& r, std::size_t first) {
+  VEC_INLINE void keep(const Registers& r, std::size_t first) {
     save(set_.column, first, r.column);
     save(set_.row, first, r.row);
     save(set_.g, first, r.g);
@@ -142,7 +143,7 @@ class SetWalk {
   }
 
   // Where tracks bend, after settling.
-  HWY_INLINE void keep_pieces(const Registers& r, std::size_t first) {
+  VEC_INLINE void keep_pieces(const Registers& r, std::size_t first) {
     save(set_.begin, first, r.begin);
     save(set_.end, first, r.end);
     save(set_.start_u, first, r.start_u);
@@ -155,7 +156,7 @@ class SetWalk {
 
   // Puts the wanted lanes of rays first, first + 1, ... into the cells where they are at a
   // distance, or a little before.
-  HWY_INLINE Entry settle(Registers& r, std::size_t first, V start_m, M wanted) const {
+  VEC_INLINE Entry settle(Registers& r, std::size_t first, V start_m, M wanted) const {
     Registers to = r;
     if constexpr (kBent) load_pieces(to, first, start_m, wanted);
     M seated = seat(to, start_m);
@@ -183,7 +184,7 @@ class SetWalk {
   }
 
   // Takes the walk of `other` where `mask`.
-  HWY_INLINE void choose(Registers& r, M mask, const Registers& other) const {
+  VEC_INLINE void choose(Registers& r, M mask, const Registers& other) const {
     r.column = hn::IfThenElse(mask, other.column, r.column);
     r.row = hn::IfThenElse(mask, other.row, r.row);
     r.g = hn::IfThenElse(mask, other.g, r.g);
@@ -213,7 +214,7 @@ class SetWalk {
   }
 
  private:
-  HWY_INLINE void choose_piece(Registers& r, M mask, const Registers& other) const {
+  VEC_INLINE void choose_piece(Registers& r, M mask, const Registers& other) const {
     r.begin = hn::IfThenElse(mask, other.begin, r.begin);
     r.end = hn::IfThenElse(mask, other.end, r.end);
     r.start_u = hn::IfThenElse(mask, other.start_u, r.start_u);
@@ -225,7 +226,7 @@ class SetWalk {
   }
 
   // Loads the pieces of the tracks that distances lie on.
-  HWY_INLINE void load_pieces(Registers& r, std::size_t first, V from_m, M lanes) const {
+  VEC_INLINE void load_pieces(Registers& r, std::size_t first, V from_m, M lanes) const {
     const V piece = pieces_at(D(), tracks_->knots_m(), hn::IfThenElseZero(lanes, from_m));
     const hn::Rebind<std::int32_t, D> ints;
     load_piece(*tracks_, eye_, hn::DemoteTo(ints, load(set_.sector, first) * of(tracks_->pieces())),
@@ -233,7 +234,7 @@ class SetWalk {
   }
 
   // Puts rays into their cells at a distance. False: that is not over the grid.
-  HWY_INLINE M seat(Registers& r, V start_m) const {
+  VEC_INLINE M seat(Registers& r, V start_m) const {
     const V u = r.start_u + r.rate_u * (start_m - r.begin);
     const V v = r.start_v + r.rate_v * (start_m - r.begin);
     const V last_column = grid_.columns() - of(2);

@@ -12,6 +12,7 @@
 #include "terrain/height_grid.h"
 #include "terrain/sight_edges.h"
 #include "terrain/sight_slopes-inl.h"
+#include "terrain/vec_inline.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
@@ -22,19 +23,19 @@ struct Posts {
   VF row, first, second, third;
 
   // Whether all have heights, as far as lanes tell.
-  [[nodiscard]] HWY_INLINE MF are_known() const {
+  [[nodiscard]] VEC_INLINE MF are_known() const {
     const VF sum = first + second + third;
     return sum == sum;
   }
 
   // NaN counts for nothing.
-  [[nodiscard]] HWY_INLINE VF highest() const {
+  [[nodiscard]] VEC_INLINE VF highest() const {
     return hn::Max(known(first), hn::Max(known(second), known(third)));
   }
 
   // Of the ground between two places on the line, from the first post on. `second_within`: whether
   // the second post lies before `high`.
-  [[nodiscard]] HWY_INLINE Bounds between(VF low, VF high, MF second_within) const {
+  [[nodiscard]] VEC_INLINE Bounds between(VF low, VF high, MF second_within) const {
     const VF rise = second - first;
     const VF past = high - row - of(1);
     const VF at_low = first + (low - row) * rise;
@@ -46,7 +47,7 @@ struct Posts {
   }
 
  private:
-  static HWY_INLINE VF known(VF height) {
+  static VEC_INLINE VF known(VF height) {
     constexpr float kDeep_m = 1e5F;  // below all ground
     return hn::IfThenElse(height == height, height, of(-kDeep_m));
   }
@@ -71,19 +72,19 @@ class SightPosts {
   }
 
   // Beyond the grid's edge a row is taken for the last.
-  [[nodiscard]] HWY_INLINE VF heights(VF row, int line) const {
+  [[nodiscard]] VEC_INLINE VF heights(VF row, int line) const {
     const VF known = hn::Min(hn::Max(row, first_row()), last_row());
     const VI index = (whole(known) + hn::Set(I(), base_)) * hn::Set(I(), across_stride_) +
                      hn::Set(I(), line * line_stride_);
     return hn::GatherIndex(F(), heights_m_, index);
   }
 
-  [[nodiscard]] HWY_INLINE Posts from(VF row, int line) const {
+  [[nodiscard]] VEC_INLINE Posts from(VF row, int line) const {
     return {row, heights(row, line), heights(row + of(1), line), heights(row + of(2), line)};
   }
 
   // The heights of a row where `met`, most often those of one of `posts` on the line.
-  [[nodiscard]] HWY_INLINE VF heights_in(const Posts& posts, VF row, MF met, int line) const {
+  [[nodiscard]] VEC_INLINE VF heights_in(const Posts& posts, VF row, MF met, int line) const {
     const VF past = row - posts.row;
     const MF beside = hn::Or(past<of(0), past> of(2));
     if (!hn::AllFalse(F(), hn::And(met, beside))) return heights(row, line);

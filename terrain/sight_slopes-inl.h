@@ -13,6 +13,7 @@
 
 #include "terrain/sight_edges.h"
 #include "terrain/terrain.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vertical_math.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,8 +27,8 @@ using VF = hn::Vec<F>;
 using VI = hn::Vec<I>;
 using MF = hn::Mask<F>;
 
-HWY_INLINE VF of(float x) { return hn::Set(F(), x); }
-HWY_INLINE VI whole(VF x) { return hn::ConvertTo(I(), x); }
+VEC_INLINE VF of(float x) { return hn::Set(F(), x); }
+VEC_INLINE VI whole(VF x) { return hn::ConvertTo(I(), x); }
 
 // Bounds from both sides.
 struct Bounds {
@@ -49,7 +50,7 @@ class SightSlopes {
                                                        std::abs(terrain.frame().eye_height_m))) {}
 
   // By the series of terrain/vertical_math.h, as far as single precision goes.
-  HWY_INLINE Slopes at(VF away, VF curvature) const {
+  VEC_INLINE Slopes at(VF away, VF curvature) const {
     const VF gamma = away * curvature;
     const VF gamma2 = gamma * gamma;
     const VF half_tangent = of(static_cast<float>(kHalfTangent[0])) +
@@ -62,21 +63,21 @@ class SightSlopes {
   }
 
   // (h - eye) / (1 + curvature h), h so far above a height of the grid.
-  HWY_INLINE VF lift(VF height, VF above, VF curvature) const {
+  VEC_INLINE VF lift(VF height, VF above, VF curvature) const {
     const VF scene_height = of(z_scale_) * height + above;
     return (scene_height - of(eye_height_m_)) / (of(1) + curvature * scene_height);
   }
 
   // Above all rounding, and above what a distance that is off by a `share` of itself makes of a
   // slope.
-  HWY_INLINE VF slack(const Slopes& at, VF lift, VF share) const {
+  VEC_INLINE VF slack(const Slopes& at, VF lift, VF share) const {
     const VF drop = hn::Abs(at.drop);
     return share * (drop + at.scale * hn::Abs(lift)) + of(kRounding) * drop +
            at.scale * of(height_slack_m_);
   }
 
   // Of lifts between two, at distances between two.
-  HWY_INLINE Bounds between(const Slopes& a, const Slopes& b, const Bounds& lifts, VF share) const {
+  VEC_INLINE Bounds between(const Slopes& a, const Slopes& b, const Bounds& lifts, VF share) const {
     const VF low = hn::Min(a.drop, b.drop) + hn::Min(a.scale * lifts.low, b.scale * lifts.low);
     const VF high = hn::Max(a.drop, b.drop) + hn::Max(a.scale * lifts.high, b.scale * lifts.high);
     const VF doubt = slack({hn::Min(a.drop, b.drop), hn::Max(a.scale, b.scale)},

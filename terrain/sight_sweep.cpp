@@ -18,6 +18,7 @@
 #include "terrain/sight_posts-inl.h"
 #include "terrain/sight_slopes-inl.h"
 #include "terrain/sight_sweep.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_limits.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,7 +26,7 @@ namespace terrview {
 namespace HWY_NAMESPACE {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-HWY_INLINE VF load(const std::vector<float>& values, std::size_t first) {
+VEC_INLINE VF load(const std::vector<float>& values, std::size_t first) {
   return hn::LoadU(F(), values.data() + first);
 }
 
@@ -144,7 +145,7 @@ class PartSweep {
       cross_wedges(first);
   }
 
-  HWY_INLINE void cross_wedges(std::size_t first) {
+  VEC_INLINE void cross_wedges(std::size_t first) {
     const VF low = load(across_, first) - of(margin_);
     const VF high = load(across_, first + 1) + of(margin_);
     const MF outside = hn::Or(high<ground_.first_row(), low> ground_.last_row());
@@ -164,7 +165,7 @@ class PartSweep {
   }
 
   // For the next line.
-  HWY_INLINE void remember(std::size_t first, const Posts& posts) {
+  VEC_INLINE void remember(std::size_t first, const Posts& posts) {
     hn::StoreU(posts.row, F(), posts_before_[0].data() + first);
     hn::StoreU(posts.first, F(), posts_before_[1].data() + first);
     hn::StoreU(posts.second, F(), posts_before_[2].data() + first);
@@ -172,7 +173,7 @@ class PartSweep {
   }
 
   // The fates of the posts that lie in wedges on the line.
-  HWY_INLINE void decide(std::size_t first, const Posts& posts, const Bounds& horizon) {
+  VEC_INLINE void decide(std::size_t first, const Posts& posts, const Bounds& horizon) {
     if (ahead_ < kNearest) return;
     const VF left = load(across_, first);
     const VF right = load(across_, first + 1);
@@ -196,12 +197,12 @@ class PartSweep {
     store(row, here, seen, hn::Or(hidden, height != height));
   }
 
-  HWY_INLINE VF mix(const std::vector<float>& values, std::size_t first, VF share) const {
+  VEC_INLINE VF mix(const std::vector<float>& values, std::size_t first, VF share) const {
     const VF from = load(values, first);
     return from + share * (load(values, first + 1) - from);
   }
 
-  HWY_INLINE void store(VF row, MF here, MF seen, MF hidden) {
+  VEC_INLINE void store(VF row, MF here, MF seen, MF hidden) {
     alignas(64) std::array<std::int32_t, SightEdges::kVector> rows;
     hn::Store(whole(row), I(), rows.data());
     const std::uint32_t seen_bits = bits_of(seen);
@@ -213,14 +214,14 @@ class PartSweep {
     }
   }
 
-  static HWY_INLINE std::uint32_t bits_of(MF mask) {
+  static VEC_INLINE std::uint32_t bits_of(MF mask) {
     std::array<std::uint8_t, 8> bytes{};
     hn::StoreMaskBits(F(), mask, bytes.data());
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U;
   }
 
   // How steeply the ground can be seen where lines of a wedge cross the line of the grid.
-  HWY_INLINE Bounds line_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
+  VEC_INLINE Bounds line_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
     const VF past = high - posts.row - of(1);  // of the second post
     const MF has_second = past >= of(0);
     const Bounds ground = posts.between(low, high, has_second);
@@ -238,7 +239,7 @@ class PartSweep {
   }
 
   // Beside a hole there may be no ground, and no bound is less than it would be without the hole.
-  HWY_INLINE Bounds beside_holes(std::size_t first, const Posts& here, const Bounds& bounds) const {
+  VEC_INLINE Bounds beside_holes(std::size_t first, const Posts& here, const Bounds& bounds) const {
     const Posts before = ground_.from(here.row, line_ - side_.forward);
     const MF whole_ground = hn::And(here.are_known(), before.are_known());
     const VF above = slopes_.lift(here.highest(), of(0), load(edges_.curvature, first));
@@ -251,7 +252,7 @@ class PartSweep {
 
   // How steeply the ground can be seen at the most where lines of a wedge cross rows between the
   // line of the grid before and this one.
-  HWY_INLINE VF rows_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
+  VEC_INLINE VF rows_crossed(std::size_t first, const Posts& posts, VF low, VF high) const {
     const Bounds before{load(across_before_, first) - of(margin_),
                         load(across_before_, first + 1) + of(margin_)};
     const VF last = hn::Min(hn::Max(high, before.high), ground_.last_row());
@@ -266,7 +267,7 @@ class PartSweep {
   }
 
   // Where `met`.
-  HWY_INLINE VF row_crossed(std::size_t first, const Posts& posts, VF row, MF met,
+  VEC_INLINE VF row_crossed(std::size_t first, const Posts& posts, VF row, MF met,
                             const Bounds& before) const {
     const Bounds part = part_on_row(first, row, before);
     const Posts posts_before{load(posts_before_[0], first), load(posts_before_[1], first),
@@ -286,7 +287,7 @@ class PartSweep {
 
   // At most those of a wedge from a place `on` posts beyond the line before: distances grow, and
   // their inverses are convex.
-  HWY_INLINE Slopes slopes_from(std::size_t first, VF on) const {
+  VEC_INLINE Slopes slopes_from(std::size_t first, VF on) const {
     const VF scale = hn::Max(load(scale_, first), load(scale_, first + 1));
     const VF drop = hn::Max(load(drop_, first), load(drop_, first + 1));
     const VF share = on * of(1 / (ahead_ - before_));
@@ -298,7 +299,7 @@ class PartSweep {
   }
 
   // At least those of a wedge up to there, but for `bend_`.
-  HWY_INLINE Slopes slopes_to(std::size_t first, VF on) const {
+  VEC_INLINE Slopes slopes_to(std::size_t first, VF on) const {
     const VF scale = hn::Min(load(scale_, first), load(scale_, first + 1));
     const VF drop = hn::Min(load(drop_, first), load(drop_, first + 1));
     if (before_ < kNearest) return {drop, scale};
@@ -310,7 +311,7 @@ class PartSweep {
   }
 
   // From where to where in the step from line to line some line of the wedge is on the row.
-  HWY_INLINE Bounds part_on_row(std::size_t first, VF row, const Bounds& before) const {
+  VEC_INLINE Bounds part_on_row(std::size_t first, VF row, const Bounds& before) const {
     const VF none = of(0);
     const VF step = of(ahead_ - before_);
     const MF low_falls = load(edges_.slope, first) < none;

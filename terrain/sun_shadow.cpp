@@ -17,6 +17,7 @@
 #include "terrain/march_set.h"
 #include "terrain/occlusion.h"
 #include "terrain/sun_shadow.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_limits.h"
 #include "terrain/view_transform.h"
@@ -25,7 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE std::uint32_t lanes_from(std::size_t first, std::size_t count) {
+VEC_INLINE std::uint32_t lanes_from(std::size_t first, std::size_t count) {
   return (1U << std::min(hn::Lanes(D()), count - first)) - 1;
 }
 

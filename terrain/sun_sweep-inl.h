@@ -18,6 +18,7 @@
 
 #include "terrain/sun_map.h"
 #include "terrain/sun_sweep.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -74,20 +75,20 @@ class StripSweep {
     int first, last;
   };
 
-  static HWY_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
-  static HWY_INLINE VF get(const Values& values, std::size_t i, int step = 0) {
+  static VEC_INLINE VF of(double x) { return hn::Set(F(), static_cast<float>(x)); }
+  static VEC_INLINE VF get(const Values& values, std::size_t i, int step = 0) {
     return hn::LoadU(F(), values.data() + static_cast<std::ptrdiff_t>(kPad + i) + step);
   }
-  static HWY_INLINE void keep(Values& values, std::size_t i, VF value) {
+  static VEC_INLINE void keep(Values& values, std::size_t i, VF value) {
     hn::StoreU(value, F(), values.data() + kPad + i);
   }
-  static HWY_INLINE VF highest(const Values& values, std::size_t i, const Range& range) {
+  static VEC_INLINE VF highest(const Values& values, std::size_t i, const Range& range) {
     VF result = get(values, i, range.first);
     for (int step = range.first + 1; step <= range.last; ++step)
       result = hn::Max(result, get(values, i, step));
     return result;
   }
-  static HWY_INLINE VF lowest(const Values& values, std::size_t i, const Range& range) {
+  static VEC_INLINE VF lowest(const Values& values, std::size_t i, const Range& range) {
     VF result = get(values, i, range.first);
     for (int step = range.first + 1; step <= range.last; ++step)
       result = hn::Min(result, get(values, i, step));
@@ -181,7 +182,7 @@ class StripSweep {
   }
 
   // What the cells of a line do to rays, from their posts.
-  HWY_INLINE void look_at_cells(int line) {
+  VEC_INLINE void look_at_cells(int line) {
     const SunRates& rates = track_.rates();
     const auto row = static_cast<std::size_t>(line - panel_line_);
     const auto x = static_cast<std::size_t>(track_.x(line) - kSunHalo - panel_x_);
@@ -234,7 +235,7 @@ class StripSweep {
     return field_.is_near_eye({x, line}, {x + static_cast<int>(cells), line + 1});
   }
 
-  static HWY_INLINE VF height_or_none(VF post) {
+  static VEC_INLINE VF height_or_none(VF post) {
     return hn::IfThenElse(post == post, post, of(-kInfinity));
   }
 
@@ -250,7 +251,7 @@ class StripSweep {
 
   // What is known of rays over the cells of a line from the ground towards the sun: what was
   // passed, the cells beside them from which rays come over the line itself, and their own.
-  HWY_INLINE void light_cells(int line, const Range& strips, const Range& beside) {
+  VEC_INLINE void light_cells(int line, const Range& strips, const Range& beside) {
     const hn::RebindToSigned<F> ints;
     const double slack = slack_of(track_.rates());
     const VF per_height = of(sweep_.per_height);
@@ -328,13 +329,13 @@ class StripSweep {
   }
 
   // Raises the horizons of the strips over cells that do not face the sun.
-  HWY_INLINE void pass_cells(const Range& cells) {
+  VEC_INLINE void pass_cells(const Range& cells) {
     for (std::size_t i = 0; i < kCells; i += kLanes)
       keep(horizon_, i, hn::Max(get(horizon_, i), highest(caster_, i, cells)));
   }
 
   // Raises the walls across the strips that the edges on the line's side towards the sun span.
-  HWY_INLINE void pass_edges(const Range& edges) {
+  VEC_INLINE void pass_edges(const Range& edges) {
     for (std::size_t i = 0; i < kCells; i += kLanes)
       keep(wall_, i, hn::Max(get(wall_, i), lowest(edge_, i, edges)));
   }

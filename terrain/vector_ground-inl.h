@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "terrain/terrain.h"
+#include "terrain/vec_inline.h"
 #include "terrain/vector_masks-inl.h"
 #include "terrain/vertical_math.h"
 
@@ -27,16 +28,16 @@ using D = hn::CappedTag<double, kVectorLanes>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-HWY_INLINE V of(double x) { return hn::Set(D(), x); }
+VEC_INLINE V of(double x) { return hn::Set(D(), x); }
 
-HWY_INLINE V series(const std::array<double, 6>& coefficients, V x) {
+VEC_INLINE V series(const std::array<double, 6>& coefficients, V x) {
   V sum = of(coefficients[5]);
   for (std::size_t i = 5; i-- > 0;) sum = of(coefficients[i]) + x * sum;
   return sum;
 }
 
-HWY_INLINE std::uint32_t bits_of(M mask) { return mask_bits(D(), mask); }
-HWY_INLINE M mask_of(std::uint32_t bits) { return mask_from(D(), bits); }
+VEC_INLINE std::uint32_t bits_of(M mask) { return mask_bits(D(), mask); }
+VEC_INLINE M mask_of(std::uint32_t bits) { return mask_from(D(), bits); }
 
 // z of the ground: VerticalFrame::at(line.at(g)).z_m(z_scale * height), lane by lane.
 class VectorFrame {
@@ -49,7 +50,7 @@ class VectorFrame {
         east_(of(frame.east_curvature_per_m)),
         half_refraction_(of(frame.refraction / 2)) {}
 
-  HWY_INLINE V z(V x, V y, V height) const {
+  VEC_INLINE V z(V x, V y, V height) const {
     const V scene_height = scale_ * height;
     if (flat_) return scene_height - eye_;
     const V x2 = x * x;
@@ -64,7 +65,7 @@ class VectorFrame {
   }
 
   // 1 / R towards a point.
-  HWY_INLINE V curvature(V x, V y) const {
+  VEC_INLINE V curvature(V x, V y) const {
     const V x2 = x * x;
     const V y2 = y * y;
     const V s2 = x2 + y2;
@@ -72,7 +73,7 @@ class VectorFrame {
   }
 
   // Nearly VerticalFrame::at({x, y}).scene_height_m(z) / z_scale, over an Earth of this curvature.
-  HWY_INLINE V height(V x, V y, V z, V curvature) const {
+  VEC_INLINE V height(V x, V y, V z, V curvature) const {
     if (flat_) return (z + eye_) / scale_;
     const V s2_over_r = x * x * east_ + y * y * north_;
     const V gamma2 = s2_over_r * curvature;
@@ -94,7 +95,7 @@ class VectorFrame {
 struct VectorRate {
   V rate, metres;
 };
-HWY_INLINE VectorRate invertible(V rate) {
+VEC_INLINE VectorRate invertible(V rate) {
   const V metres = of(1) / rate;
   const M is_finite = hn::Abs(metres) < hn::Inf(D());
   return {hn::IfThenElseZero(is_finite, rate), hn::IfThenElseZero(is_finite, metres)};
@@ -104,7 +105,7 @@ HWY_INLINE VectorRate invertible(V rate) {
 struct VectorLine {
   V x, y, slope;
 };
-HWY_INLINE VectorLine line_under(V x, V y, V z) {
+VEC_INLINE VectorLine line_under(V x, V y, V z) {
   const V inverse = of(1) / hn::Sqrt(x * x + y * y);
   return {x * inverse, y * inverse, z * inverse};
 }
@@ -113,7 +114,7 @@ HWY_INLINE VectorLine line_under(V x, V y, V z) {
 struct LinearRates {
   VectorRate u, v;
 };
-HWY_INLINE LinearRates rates_along(const VectorLine& line, const glm::dmat2& jacobian) {
+VEC_INLINE LinearRates rates_along(const VectorLine& line, const glm::dmat2& jacobian) {
   const glm::dmat2& j = jacobian;
   return {invertible(of(j[0][0]) * line.x + of(j[1][0]) * line.y),
           invertible(of(j[0][1]) * line.x + of(j[1][1]) * line.y)};
@@ -131,14 +132,14 @@ class VectorPosts {
       : heights_m_(grid.heights_m.data()), columns_(static_cast<std::size_t>(grid.columns)) {}
 
   // The heights of the posts with these indices.
-  HWY_INLINE V at(V index) const {
+  VEC_INLINE V at(V index) const {
     const hn::Rebind<float, D> floats;
     const hn::Rebind<std::int32_t, D> ints;
     return hn::PromoteTo(D(), hn::GatherIndex(floats, heights_m_, hn::DemoteTo(ints, index)));
   }
 
   // The corners of the cells whose first posts have these indices.
-  HWY_INLINE Corners corners(V post) const {
+  VEC_INLINE Corners corners(V post) const {
 #if HWY_TARGET == HWY_SCALAR
     const V south_post = post + of(static_cast<double>(columns_));
     return {at(post), at(post + of(1)), at(south_post), at(south_post + of(1))};
@@ -167,7 +168,7 @@ class VectorPosts {
 
   // Posts index[i] and index[i] + 1 as elements 2 i and 2 i + 1.
   template <std::size_t kCount>
-  static HWY_INLINE hn::Vec<Pairs<kCount>> pairs(const float* heights_m,
+  static VEC_INLINE hn::Vec<Pairs<kCount>> pairs(const float* heights_m,
                                                  const std::int32_t* index) {
     if constexpr (kCount == 1) {
       return hn::LoadU(Pairs<1>(), heights_m + *index);
@@ -193,7 +194,7 @@ struct Registers {
 };
 
 // Lanes that have ended are computed all the same: they stand still in a cell of the grid.
-HWY_INLINE void park(Registers& r, std::uint32_t active) {
+VEC_INLINE void park(Registers& r, std::uint32_t active) {
   const M moving = mask_of(active);
   r.column = hn::IfThenElseZero(moving, r.column);
   r.row = hn::IfThenElseZero(moving, r.row);
@@ -218,11 +219,11 @@ class VectorGrid {
         rows_(of(terrain.layers()[0].grid->rows)) {}
 
   // The corners of the cells that the walks stand in.
-  HWY_INLINE Corners corners(const Registers& r) const {
+  VEC_INLINE Corners corners(const Registers& r) const {
     return posts_.corners(r.row * columns_ + r.column);
   }
 
-  HWY_INLINE NextCrossing next_crossing(const Registers& r, const Corners& corners) const {
+  VEC_INLINE NextCrossing next_crossing(const Registers& r, const Corners& corners) const {
     V column_line;
     V row_line;
     const V column_g = meets(r, r.column, r.start_u, r.rate_u, r.metres_u, column_line);
@@ -245,7 +246,7 @@ class VectorGrid {
 
   // Where the walk came into the cell in which `r` stands, through the edge last crossed. True: it
   // did come into it, and not over the grid's border or at the piece's start.
-  HWY_INLINE M enter_cell(Registers& r, const Corners& corners) const {
+  VEC_INLINE M enter_cell(Registers& r, const Corners& corners) const {
     V column_line;
     V row_line;
     V column_out;
@@ -271,10 +272,10 @@ class VectorGrid {
     return hn::And(hn::And(visited, r.g > r.begin), hn::And(line > of(0), line < last_line));
   }
 
-  HWY_INLINE V columns() const { return columns_; }
-  HWY_INLINE V rows() const { return rows_; }
+  VEC_INLINE V columns() const { return columns_; }
+  VEC_INLINE V rows() const { return rows_; }
 
-  HWY_INLINE M is_inside(const Registers& r) const {
+  VEC_INLINE M is_inside(const Registers& r) const {
     return hn::And(hn::And(r.column >= of(0), r.row >= of(0)),
                    hn::And(r.column < columns_ - of(1), r.row < rows_ - of(1)));
   }
@@ -290,7 +291,7 @@ class VectorGrid {
   };
 
   // z of the ground where a walk crosses an edge of its cell.
-  HWY_INLINE V edge_z(const Registers& r, const Corners& c, const Edge& edge,
+  VEC_INLINE V edge_z(const Registers& r, const Corners& c, const Edge& edge,
                       const Place& at) const {
     const V from = hn::IfThenElse(edge.over_column, hn::IfThenElse(edge.east, c.ne, c.nw),
                                   hn::IfThenElse(edge.south, c.sw, c.nw));
@@ -301,14 +302,14 @@ class VectorGrid {
   }
 
   // Where a line of the grid is met, never before the last crossing.
-  HWY_INLINE V meets(const Registers& r, V cell, V start, V rate, V metres, V& line) const {
+  VEC_INLINE V meets(const Registers& r, V cell, V start, V rate, V metres, V& line) const {
     line = hn::IfThenElse(rate > of(0), cell + of(1), cell);
     const V g = hn::Max(r.g, r.begin + (line - start) * metres);
     return hn::IfThenElse(rate == of(0), hn::Inf(D()), g);
   }
 
   // Where the walk crosses into a cell's column or row; and the line, and where it goes out.
-  HWY_INLINE V came_in(const Registers& r, V cell, V start, V rate, V metres, V& line,
+  VEC_INLINE V came_in(const Registers& r, V cell, V start, V rate, V metres, V& line,
                        V& out) const {
     const M forward = rate > of(0);
     const M still = rate == of(0);
@@ -318,7 +319,7 @@ class VectorGrid {
     return hn::IfThenElse(still, hn::Neg(hn::Inf(D())), r.begin + (line - start) * metres);
   }
 
-  HWY_INLINE V clamp(V value, V cell) const { return hn::Min(hn::Max(value, cell), cell + of(1)); }
+  VEC_INLINE V clamp(V value, V cell) const { return hn::Min(hn::Max(value, cell), cell + of(1)); }
 
   VectorFrame frame_;
   VectorPosts posts_;
@@ -326,7 +327,7 @@ class VectorGrid {
   V rows_;
 };
 
-HWY_INLINE void advance(Registers& r, const NextCrossing& next) {
+VEC_INLINE void advance(Registers& r, const NextCrossing& next) {
   // Sign by sign, so that a parked lane, whose rate is 0, stays where it is.
   const auto step = [&](V rate) HWY_ATTR {
     return hn::IfThenElseZero(rate > of(0), of(1)) - hn::IfThenElseZero(rate < of(0), of(1));

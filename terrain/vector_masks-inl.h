@@ -10,6 +10,8 @@
 
 #include <cstdint>
 
+#include "terrain/vec_inline.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
@@ -17,14 +19,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // Of up to 16 lanes.
 template <class Tag>
-HWY_INLINE std::uint32_t mask_bits(Tag d, hn::Mask<Tag> mask) {
+VEC_INLINE std::uint32_t mask_bits(Tag d, hn::Mask<Tag> mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(d, mask, bytes);
   return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
 template <class Tag>
-HWY_INLINE hn::Mask<Tag> mask_from(Tag d, std::uint32_t bits) {
+VEC_INLINE hn::Mask<Tag> mask_from(Tag d, std::uint32_t bits) {
   const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
                                  static_cast<std::uint8_t>(bits >> 8)};
   return hn::LoadMaskBits(d, bytes);

@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include "terrain/vec_inline.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
@@ -17,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Those of unit directions, as sector_of() finds them; in floats, but for rounding. A vertical
 // ray's NaN becomes sector 0.
 template <class Tag>
-HWY_INLINE hn::Vec<Tag> sectors_of(Tag d, hn::Vec<Tag> x, hn::Vec<Tag> y, int a_side) {
+VEC_INLINE hn::Vec<Tag> sectors_of(Tag d, hn::Vec<Tag> x, hn::Vec<Tag> y, int a_side) {
   using Value = hn::TFromD<Tag>;
   const auto of = [d](auto value) HWY_ATTR { return hn::Set(d, static_cast<Value>(value)); };
   const auto far_x = hn::Abs(x);

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "terrain/vec_inline.h"
 #include "terrain/vector_masks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // The numbers of the pieces that distances lie on.
 template <class Tag>
-HWY_INLINE hn::Vec<Tag> pieces_at(Tag d, const std::vector<double>& knots_m, hn::Vec<Tag> g) {
+VEC_INLINE hn::Vec<Tag> pieces_at(Tag d, const std::vector<double>& knots_m, hn::Vec<Tag> g) {
   hn::Vec<Tag> piece = hn::Zero(d);
   for (std::size_t i = 1; i + 1 < knots_m.size(); ++i) {
     const auto beyond = g >= hn::Set(d, static_cast<hn::TFromD<Tag>>(knots_m[i]));
@@ -35,7 +36,7 @@ HWY_INLINE hn::Vec<Tag> pieces_at(Tag d, const std::vector<double>& knots_m, hn:
 // The kCount values of a table from stride * row[i] on, by lane; other lanes than `lanes` get those
 // of one that is. Neighbouring rays share rows: to load each row once takes less than gathers.
 template <std::size_t kCount, class Tag>
-HWY_INLINE std::array<hn::Vec<Tag>, kCount> shared_rows(Tag d, const hn::TFromD<Tag>* table,
+VEC_INLINE std::array<hn::Vec<Tag>, kCount> shared_rows(Tag d, const hn::TFromD<Tag>* table,
                                                         std::size_t stride,
                                                         hn::Vec<hn::Rebind<std::int32_t, Tag>> row,
                                                         std::uint32_t lanes) {

@@ -7,6 +7,7 @@
 #endif
 
 #include <hwy/highway.h>
+#include "terrain/vec_inline.h"
 
 #include <array>
 #include <cstddef>
@@ -18,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // to[i][k] = from[k][i], for i and k below 4.
 template <class T>
-HWY_INLINE void transpose_4x4(const std::array<const T*, 4>& from, const std::array<T*, 4>& to) {
+VEC_INLINE void transpose_4x4(const std::array<const T*, 4>& from, const std::array<T*, 4>& to) {
 #if HWY_TARGET == HWY_SCALAR
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 4; ++k) to[i][k] = from[k][i];

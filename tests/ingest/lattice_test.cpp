@@ -7,7 +7,7 @@ namespace terrview {
 namespace {
 
 // A tile whose north-west post is `column`, `row` posts of 1/1200 degree from (7 E, 49 N).
-Tile tile_at(double column, double row, int columns = 11, int rows = 11) {
+LatticeTile tile_at(double column, double row, int columns = 11, int rows = 11) {
   const double step = 1.0 / 1200;
   return {columns, rows, {{7 + column * step, 49 - row * step}, {step, 0, 0, -step}}, 0, true};
 }
@@ -40,16 +40,16 @@ TEST(Lattice, TilesApartOrAtACornerStayAlone) {
 TEST(Lattice, AnotherLatticeOrCrsStaysAlone) {
   EXPECT_EQ(join_tiles({tile_at(0, 0), tile_at(10.01, 0)}).size(), 2U);
   EXPECT_EQ(join_tiles({tile_at(0, 0), tile_at(10.0005, 0)}).size(), 1U);
-  Tile finer = tile_at(10, 0);
+  LatticeTile finer = tile_at(10, 0);
   finer.placement.step /= 2;
   EXPECT_EQ(join_tiles({tile_at(0, 0), finer}).size(), 2U);
-  Tile drifting = tile_at(10, 0);
+  LatticeTile drifting = tile_at(10, 0);
   drifting.placement.step *= 1 + 2e-4;  // 0.002 posts over ten
   EXPECT_EQ(join_tiles({tile_at(0, 0), drifting}).size(), 2U);
-  Tile flipped = tile_at(10, 10);
+  LatticeTile flipped = tile_at(10, 10);
   flipped.placement.step[1] = -flipped.placement.step[1];
   EXPECT_EQ(join_tiles({tile_at(0, 0), flipped}).size(), 2U);
-  Tile foreign = tile_at(10, 0);
+  LatticeTile foreign = tile_at(10, 0);
   foreign.crs = 1;
   EXPECT_EQ(join_tiles({tile_at(0, 0), foreign}).size(), 2U);
 }
@@ -73,9 +73,9 @@ TEST(Lattice, MosaicsComeInTheOrderOfTheirFirstTiles) {
 }
 
 TEST(Lattice, TilesAreJoinedAcrossTheAntimeridian) {
-  Tile west = tile_at(0, 0);
+  LatticeTile west = tile_at(0, 0);
   west.placement.origin.x = 180 - 10.0 / 1200;
-  Tile east = tile_at(0, 0);
+  LatticeTile east = tile_at(0, 0);
   east.placement.origin.x = -180;
   for (const auto& tiles : {std::vector{west, east}, std::vector{east, west}}) {
     const auto mosaics = join_tiles(tiles);
@@ -87,7 +87,7 @@ TEST(Lattice, TilesAreJoinedAcrossTheAntimeridian) {
 }
 
 TEST(Lattice, AStaircaseIsNotJoinedIntoAMostlyEmptyGrid) {
-  std::vector<Tile> stairs;
+  std::vector<LatticeTile> stairs;
   for (int i = 0; i < 20; ++i) stairs.push_back(tile_at(10 * i, 5 * i));
   for (int i = 0; i < 20; ++i) stairs.push_back(tile_at(10 * i, 200 - 5 * i));
   std::size_t tiles = 0;
@@ -110,9 +110,9 @@ TEST(Lattice, AStaircaseIsNotJoinedIntoAMostlyEmptyGrid) {
 }
 
 TEST(Lattice, RotatedTilesAreJoinedToo) {
-  Tile first = tile_at(0, 0);
+  LatticeTile first = tile_at(0, 0);
   first.placement.step = {0.8, 0.6, 0.6, -0.8};
-  Tile second = first;
+  LatticeTile second = first;
   second.placement.origin = first.placement.at({0, 11});
   const auto mosaics = join_tiles({first, second});
   ASSERT_EQ(mosaics.size(), 1U);

@@ -107,14 +107,20 @@ TEST(Facade, AgreesWithRandomPointsAndHardlyDependsOnItsSamples) {
   const auto in = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine);
   };
+  const auto place = [&](glm::dvec2 low, glm::dvec2 high) {
+    const double y = in(low.y, high.y);
+    const double x = in(low.x, high.x);
+    return glm::dvec2(x, y);
+  };
   for (int round = 0; round < 12; ++round) {
-    const glm::dvec2 low(in(20, 60), in(100, 150));
-    const glm::dvec2 high = low + glm::dvec2(in(10, 40), in(10, 40));
+    const glm::dvec2 low = place({20, 100}, {60, 150});
+    const glm::dvec2 high = low + place({10, 10}, {40, 40});
     const double top_m = in(10, 50);
     std::vector<std::shared_ptr<const Prism>> blocks{block(low, high, top_m)};
     for (int i = 0; i < 4; ++i) {
-      const glm::dvec2 corner(in(0, 70), in(20, 80));
-      blocks.push_back(block(corner, corner + glm::dvec2(in(3, 15), in(3, 15)), in(0, 25)));
+      const glm::dvec2 corner = place({0, 20}, {70, 80});
+      const double rise_m = in(0, 25);
+      blocks.push_back(block(corner, corner + place({3, 3}, {15, 15}), rise_m));
     }
     const double south_m2 = (high.x - low.x) * (top_m + 5);
     const double west_m2 = (high.y - low.y) * (top_m + 5);
@@ -122,8 +128,9 @@ TEST(Facade, AgreesWithRandomPointsAndHardlyDependsOnItsSamples) {
     int free = 0;
     for (int i = 0; i < kPoints; ++i) {
       const bool south = in(0, south_m2 + west_m2) < south_m2;
-      const glm::dvec3 point(south ? in(low.x, high.x) : low.x, south ? low.y : in(low.y, high.y),
-                             in(-5, top_m));
+      const double z = in(-5, top_m);
+      const double along_m = south ? in(low.x, high.x) : in(low.y, high.y);
+      const glm::dvec3 point(south ? along_m : low.x, south ? low.y : along_m, z);
       const Ray ray{.direction = point, .length_m = glm::length(point) - 1e-3};
       free += std::none_of(blocks.begin(), blocks.end(),
                            [&](const auto& one) { return one->first_hit(ray).has_value(); })

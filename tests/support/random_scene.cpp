@@ -30,6 +30,13 @@ void dig_voids(Random& random, HeightGrid& grid) {
     if (random.chance(share)) grid.heights_m[i] = std::numeric_limits<float>::quiet_NaN();
 }
 
+// A call's arguments are drawn in an order of the compiler's, so whatever is drawn has a name.
+glm::dvec2 uniform_place(Random& random, double most_u, double most_v) {
+  const double v = random.uniform(0, most_v);
+  const double u = random.uniform(0, most_u);
+  return {u, v};
+}
+
 // Grid posts per metre, u and v.
 glm::dvec2 random_density(Random& random) {
   constexpr std::array<std::array<double, 2>, 6> spacings_m{
@@ -50,7 +57,7 @@ glm::dmat2 random_jacobian(Random& random, glm::dvec2 density) {
 glm::dvec2 random_eye_uv(Random& random, const HeightGrid& grid, Position position) {
   const glm::dvec2 last(grid.columns - 1, grid.rows - 1);
   if (random.chance(0.2)) return {random.uniform(-1, 2) * last.x, random.uniform(-1, 2) * last.y};
-  glm::dvec2 uv(random.uniform(0, last.x), random.uniform(0, last.y));
+  glm::dvec2 uv = uniform_place(random, last.x, last.y);
   if (position == Position::special && random.chance(0.5)) uv.x = std::round(uv.x);
   if (position == Position::special && random.chance(0.5)) uv.y = std::round(uv.y);
   return uv;
@@ -112,10 +119,10 @@ glm::dvec3 random_origin(Random& random, const Terrain& terrain, Position positi
   const glm::dvec3 post = random_post(random, terrain);
   if (position == Position::special && random.chance(0.5)) return post;
   const TerrainLayer& layer = terrain.layers().front();
-  const glm::dvec2 uv(random.uniform(-0.1, 1.1) * (layer.grid->columns - 1),
-                      random.uniform(-0.1, 1.1) * (layer.grid->rows - 1));
+  const double v = random.uniform(-0.1, 1.1) * (layer.grid->rows - 1);
+  const double u = random.uniform(-0.1, 1.1) * (layer.grid->columns - 1);
   const double rise_m = std::fabs(random_post(random, terrain).z - post.z) + 1;
-  return {ground_of(*layer.map, uv), post.z + random.uniform(-0.1, 1) * rise_m};
+  return {ground_of(*layer.map, {u, v}), post.z + random.uniform(-0.1, 1) * rise_m};
 }
 
 glm::dvec2 random_azimuth(Random& random) {
@@ -126,8 +133,10 @@ glm::dvec2 random_azimuth(Random& random) {
 // Towards a post, or a little beside it.
 glm::dvec3 random_aim(Random& random, const Terrain& terrain, glm::dvec3 origin_m, double spread) {
   const glm::dvec3 aim = random_post(random, terrain) - origin_m;
-  const glm::dvec3 off(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-  const glm::dvec3 direction = aim + off * spread * glm::length(aim);
+  const double z = random.uniform(-1, 1);
+  const double y = random.uniform(-1, 1);
+  const double x = random.uniform(-1, 1);
+  const glm::dvec3 direction = aim + glm::dvec3(x, y, z) * spread * glm::length(aim);
   return glm::length(direction) > 0 ? glm::normalize(direction) : glm::dvec3(0, 0, -1);
 }
 
@@ -166,8 +175,10 @@ glm::dvec3 random_special_direction(Random& random, const Terrain& terrain, glm:
 }  // namespace
 
 HeightGrid random_grid(Random& random) {
-  HeightGrid grid = random.chance(0.1) ? sized_grid(2, 2)
-                                       : sized_grid(random.integer(2, 40), random.integer(2, 40));
+  const bool least = random.chance(0.1);
+  const int rows = least ? 2 : random.integer(2, 40);
+  const int columns = least ? 2 : random.integer(2, 40);
+  HeightGrid grid = sized_grid(columns, rows);
   const int kind = random.integer(0, 5);
   const double relief_m = random.log_uniform(1, 2000);
   const double base_m = random.uniform(-100, 3000);
@@ -188,9 +199,10 @@ HeightGrid random_grid(Random& random) {
 
 Terrain random_terrain(Random& random, SurfaceModel model, Position position) {
   const auto grid = std::make_shared<const HeightGrid>(random_grid(random));
-  const auto map = std::make_shared<const AffineGroundMap>(
-      random_eye_uv(random, *grid, position), random_jacobian(random, random_density(random)),
-      glm::ivec2(grid->columns, grid->rows));
+  const glm::dmat2 jacobian = random_jacobian(random, random_density(random));
+  const glm::dvec2 eye_uv = random_eye_uv(random, *grid, position);
+  const auto map = std::make_shared<const AffineGroundMap>(eye_uv, jacobian,
+                                                           glm::ivec2(grid->columns, grid->rows));
   return {{{grid, map}}, random_frame(random, *grid, map->reach_m(), position), model};
 }
 
@@ -201,10 +213,10 @@ Terrain random_layers(Random& random, SurfaceModel model) {
   const int count = random.integer(2, 4);
   for (int i = 0; i < count; ++i) {
     const auto grid = std::make_shared<const HeightGrid>(random_grid(random));
-    const auto map = std::make_shared<const AffineGroundMap>(
-        random_eye_uv(random, *grid, Position::general),
-        random_jacobian(random, density * random.log_uniform(0.2, 5)),
-        glm::ivec2(grid->columns, grid->rows));
+    const glm::dmat2 jacobian = random_jacobian(random, density * random.log_uniform(0.2, 5));
+    const glm::dvec2 eye_uv = random_eye_uv(random, *grid, Position::general);
+    const auto map = std::make_shared<const AffineGroundMap>(eye_uv, jacobian,
+                                                             glm::ivec2(grid->columns, grid->rows));
     layers.push_back({grid, map});
     reach_m = std::max(reach_m, map->reach_m());
   }
@@ -213,7 +225,7 @@ Terrain random_layers(Random& random, SurfaceModel model) {
 
 Terrain random_bent_terrain(Random& random, SurfaceModel model) {
   const auto grid = std::make_shared<const HeightGrid>(random_grid(random));
-  const glm::dvec2 eye_uv(random.uniform(0, grid->columns - 1), random.uniform(0, grid->rows - 1));
+  const glm::dvec2 eye_uv = uniform_place(random, grid->columns - 1, grid->rows - 1);
   const double spacing_m = random.log_uniform(1, 100);
   const double reach_m = spacing_m * (grid->columns + grid->rows);
   // Never more than a few tenths of a radian within a cell.
@@ -227,8 +239,8 @@ Terrain random_parabolic_terrain(Random& random, SurfaceModel model) {
   const auto grid = std::make_shared<const HeightGrid>(random_grid(random));
   const glm::dvec2 size(grid->columns - 1, grid->rows - 1);
   const bool beside = random.chance(0.2);
-  const glm::dvec2 eye_uv(random.uniform(0, size.x) + (beside ? 1.2 * size.x : 0),
-                          random.uniform(0, size.y));
+  const glm::dvec2 eye_uv =
+      uniform_place(random, size.x, size.y) + glm::dvec2(beside ? 1.2 * size.x : 0, 0);
   const double spacing_m = random.log_uniform(1, 100);
   const double reach_m = 2.5 * spacing_m * (size.x + size.y);
   // Some lines leave the grid and come back.

@@ -72,10 +72,11 @@ RayRange Frustum::within_side(const Line& line) const {
   }
   const auto [low, high] = at_middle.roots();
   // One step of Newton's takes what the discriminant lost.
+  const double reach = (high - low) / 8;
   const auto polished = [&](double t) {
     const Quadratic there(*this, from_m + t * line.direction, line.direction);
     const double step = there.c / (2 * there.b);
-    return middle + (std::abs(step) < (high - low) / 8 ? t - step : t);
+    return middle + (std::abs(step) < reach ? t - step : t);
   };
   if (at_middle.a > 0) return {polished(low), polished(high), kSide, kSide};
   // Steeper than the side: within it from or up to one root, within its mirror image from the

@@ -52,7 +52,7 @@ TEST(SolidObject, IsHitAtTheFirstCrossingAheadOfTheEye) {
 TEST(SolidObject, AnEyeAnywhereSeesTheNearestChangeBetweenInAndOut) {
   std::mt19937_64 engine(1);
   int seen = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 330; ++round) {
     const Body body = bitten(engine);
     const SolidObject object(body.solid);
     for (int i = 0; i < 20; ++i) {
