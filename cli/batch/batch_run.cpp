@@ -14,6 +14,7 @@
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/view_command.h"
+#include "cli/view_light.h"
 #include "render/parallel.h"
 #include "render/stopwatch.h"
 #include "terrain/error.h"
@@ -137,10 +138,13 @@ class Run {
 
 double view_bytes(const Job& job, const std::vector<Dem>& dems) {
   constexpr double kSkyView_bytes = 32;  // a post
+  constexpr double kSunMap_bytes = 4;
   constexpr double kView_bytes = 8 << 20;
   const glm::dvec2 size(picture_size_px(job.options, dems.front()));
   const double sky_view = job.options.light.sky_azimuths > 0 ? kSkyView_bytes * posts_of(dems) : 0;
-  return kView_bytes + sky_view + pixel_bytes(job) * size.x * size.y;
+  const bool has_sun_map = casts_shadows(job.options.light) && !job.options.light.soft_shadows;
+  const double sun_map = has_sun_map ? kSunMap_bytes * posts_of(dems) : 0;
+  return kView_bytes + sky_view + sun_map + pixel_bytes(job) * size.x * size.y;
 }
 
 int views_in_flight(const std::vector<const Job*>& jobs, const std::vector<Dem>& dems, int threads,

@@ -45,7 +45,7 @@ TEST_F(ViewsInFlight, FitIntoTheMemory) {
   EXPECT_EQ(before, 8);
 }
 
-TEST_F(ViewsInFlight, CountLayersAndTheSkysView) {
+TEST_F(ViewsInFlight, CountLayersAndWhatTheLightNeeds) {
   const double plain = view_bytes(job_, dems_);
   Job layers = job_;
   layers.outputs.emplace_back("a.tif");
@@ -53,6 +53,9 @@ TEST_F(ViewsInFlight, CountLayersAndTheSkysView) {
   Job sky = job_;
   sky.options.light.sky_azimuths = 16;
   EXPECT_GT(view_bytes(sky, dems_), plain + 28e6);
+  Job soft = job_;
+  soft.options.light.soft_shadows = true;
+  EXPECT_DOUBLE_EQ(view_bytes(soft, dems_), plain - 4e6);  // no map of the sun
 }
 
 TEST_F(ViewsInFlight, CountThePixelsThatAreMade) {
