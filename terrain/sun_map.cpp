@@ -156,7 +156,7 @@ Sunlight SunMap::at(glm::dvec2 uv, double height) const {
   const glm::dvec2 cell = glm::floor(uv);
   const glm::dvec2 in_cell = uv - cell;
   const bool over_grid = cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y;
-  if (!over_grid || !is_inside(in_cell, kBorder)) return Sunlight::unknown;
+  if (!over_grid || !is_inside(in_cell, kBorder) || height < codes_.low) return Sunlight::unknown;
   const std::uint32_t codes = word(glm::ivec2(cell));
   const std::uint32_t free_above = Codes::free_above(codes);
   const double share =

@@ -44,7 +44,10 @@ class StripSweep {
   void run() {
     for (int line = 0; line <= sweep_.last_line; line += kSunPanelLines) {
       const int end = std::min(line + kSunPanelLines, field_.lines() - 1);
-      if (end > sweep_.first_line && load_panel(line, end)) sweep_panel(line, end);
+      if (end > sweep_.first_line && load_panel(line, end))
+        sweep_panel(line, end);
+      else  // bent tracks may come back
+        for (int y = line; y < end; ++y) stray();
       track_.next_panel();
       track_after_.next_panel();
     }
@@ -64,6 +67,8 @@ class StripSweep {
   static_assert(kCells % 16 == 0);
   // Rounding of the fall of a cell, as a share of its terms.
   static constexpr float kRounding = 0x1p-20F;
+  // Strips widen by one where rays may have strayed by more: with a line it is less than one post.
+  static constexpr double kWiden = 0.5;
   // More than the rounding of a place on a line, in posts.
   static constexpr double kPlace = 0x1p-10;
 
@@ -176,8 +181,7 @@ class StripSweep {
     light_cells(line, strips, beside);
     pass_cells(turned(strips));
     pass_edges(turned(range_of(in_strip - astray, in_strip + 1 + astray)));
-    strayed_ += rates.spread;
-    if (strayed_ > 0.5) widen();
+    stray();
   }
 
   // What the cells of a line do to rays, from their posts.
@@ -339,8 +343,10 @@ class StripSweep {
       keep(wall_, i, hn::Max(get(wall_, i), lowest(edge_, i, edges)));
   }
 
-  // Rays have strayed from the mean way: those of a strip may have come from the next.
-  void widen() {
+  // Over a line, rays stray from the mean way: then those of a strip may have come from the next.
+  void stray() {
+    strayed_ += track_.rates().spread;
+    if (strayed_ <= kWiden) return;
     const Values horizon = horizon_;
     const Values wall = wall_;
     for (std::size_t i = 0; i < kCells; i += kLanes) {

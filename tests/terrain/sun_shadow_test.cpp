@@ -364,6 +364,47 @@ TEST(SunShadow, IsSoAboveTheGround) {
   EXPECT_LT(work, 2 * rays);
 }
 
+// Rays that begin in holes and beside the grid, and come to walls from below, from above, or not.
+TEST(SunShadow, IsSoWhereThereIsNoGround) {
+  Random random(16);
+  int stopped_rays = 0;
+  int free_rays = 0;
+  for (int i = 0; i < 300; ++i) {
+    const SurfaceModel model = SurfaceModel::hyperboloid;
+    const Terrain terrain = i % 3 == 0 ? random_parabolic_terrain(random, model)
+                                       : random_terrain(random, model, Position::general);
+    const glm::dvec3 to_sun = random_sun(random);
+    const auto map = SunMap::make(terrain, to_sun);
+    if (!map) continue;
+    const VerticalFrame& frame = terrain.frame();
+    const glm::dvec2 range_m = terrain.height_range_m();
+    std::vector<glm::dvec3> points_m;
+    for (int k = 0; k < 400; ++k) {
+      const double reach_m = 0.7 * terrain.reach_m();
+      const glm::dvec2 at(random.uniform(-reach_m, reach_m), random.uniform(-reach_m, reach_m));
+      if (terrain.ground_at(at)) continue;
+      const double height_m =
+          range_m.x + random.uniform(-1, 1) * (range_m.y - range_m.x + 1e-3 * reach_m);
+      points_m.emplace_back(at, frame.at(at).z_m(height_m));
+    }
+    std::vector<std::uint8_t> stopped(points_m.size());
+    TraceCounts counts;
+    shaded(terrain, *map, points_m, stopped, counts);
+    for (std::size_t k = 0; k < points_m.size(); ++k) {
+      const bool expected =
+          terrain.occluded({points_m[k], direction_at(frame, points_m[k], to_sun)});
+      EXPECT_EQ(stopped[k] != 0, expected);
+      const glm::dvec2 at(points_m[k]);
+      const double height = frame.at(at).scene_height_m(points_m[k].z) / frame.z_scale;
+      const Sunlight known = map->at(terrain.layers()[0].map->to_grid(at), height);
+      if (known != Sunlight::unknown) EXPECT_EQ(known == Sunlight::shaded, expected);
+      (expected ? stopped_rays : free_rays) += 1;
+    }
+  }
+  EXPECT_GT(stopped_rays, 1000);
+  EXPECT_GT(free_rays, 1000);
+}
+
 TEST(SunShadow, HasNoMapForASunBelowTheGroundOrInTheZenith) {
   const Terrain terrain =
       make_terrain(make_grid(5, 5, [](int, int) { return 0; }), {}, SurfaceModel::hyperboloid);
