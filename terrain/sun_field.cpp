@@ -21,10 +21,6 @@ constexpr double kSteepest = 1000;
 // Rays cross more lines than this times the posts they pass along them.
 constexpr double kMostDrift = 1.4;
 
-// Nor do rays of a place stray by more than this from each other's mean, in posts over a line: a
-// sweep widens its strips by one a line.
-constexpr double kMostSpread = 0.5;
-
 constexpr int kNodes = 33;
 
 // A straight piece of a track turns from the curve by less, in posts over a post.
@@ -184,9 +180,8 @@ void SunField::widen_between_nodes() {
     rates.spread += drift_bend / 2;
     rates.rise_least -= rise_bend / 2;
     rates.rise_most += rise_bend / 2;
-    regular_ &= rates.rise_least > 0;
+    regular_ &= rates.rise_least > 0 && rates.spread <= kMostDrift;
   }
-  regular_ &= rates({0, 0}, glm::dvec2(size_)).spread <= kMostSpread;
 }
 
 void SunField::blur_the_eye(const Terrain& terrain) {

@@ -136,11 +136,12 @@ void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach&
   const double scale = terrain.frame().z_scale;
   const double slack =
       kSlack * (terrain.height_bound_m() / scale + codes_.rise_most * field.lines());
-  SunSweep sweep{*terrain.layers()[0].grid, field,       slack, codes_.low, codes_.per_height, 0,
-                 field.lines() - 2,         words_.get()};
+  const glm::dvec2 range = terrain.height_range_m() / scale;
+  SunSweep sweep{
+      *terrain.layers()[0].grid, field,       slack, codes_.low, codes_.per_height, range.y, 0,
+      field.lines() - 2,         words_.get()};
   const Part part = part_of(field, {wanted.first, glm::min(wanted.last, cells_ - 1)});
   // Ground further towards the sun is lower than all rays from there.
-  const glm::dvec2 range = terrain.height_range_m() / scale;
   const double over_all = 1.001 * (range.y - range.x) + 8 * slack + 2 * field.blur();
   const double lead = std::ceil(over_all / codes_.rise_least) + 2;
   sweep.first_line = static_cast<int>(std::max(0.0, part.first.y - lead));

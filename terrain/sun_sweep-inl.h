@@ -44,6 +44,7 @@ class StripSweep {
   void run() {
     for (int line = 0; line <= sweep_.last_line; line += kSunPanelLines) {
       const int end = std::min(line + kSunPanelLines, field_.lines() - 1);
+      if (line > 0 && line <= sweep_.first_line && sweep_.first_line < end) pass_skipped(line);
       if (end > sweep_.first_line && load_panel(line, end))
         sweep_panel(line, end);
       else  // bent tracks may come back
@@ -67,8 +68,6 @@ class StripSweep {
   static_assert(kCells % 16 == 0);
   // Rounding of the fall of a cell, as a share of its terms.
   static constexpr float kRounding = 0x1p-20F;
-  // Strips widen by one where rays may have strayed by more: with a line it is less than one post.
-  static constexpr double kWiden = 0.5;
   // More than the rounding of a place on a line, in posts.
   static constexpr double kPlace = 0x1p-10;
 
@@ -331,6 +330,13 @@ class StripSweep {
     return sweep_.slack + field_.blur() + field_.track_error() * rates.rise_most;
   }
 
+  // Raises all horizons over the ground of the lines before, whatever it is.
+  void pass_skipped(int line) {
+    const VF top = of(sweep_.highest + track_.rise_least(line));
+    for (std::size_t i = 0; i < kCells; i += kLanes)
+      keep(horizon_, i, hn::Max(get(horizon_, i), top));
+  }
+
   // Raises the horizons of the strips over cells that do not face the sun.
   HWY_INLINE void pass_cells(const Range& cells) {
     for (std::size_t i = 0; i < kCells; i += kLanes)
@@ -343,17 +349,20 @@ class StripSweep {
       keep(wall_, i, hn::Max(get(wall_, i), lowest(edge_, i, edges)));
   }
 
-  // Over a line, rays stray from the mean way: then those of a strip may have come from the next.
+  // Rays stray from the mean way over a line: those of a strip may come from another.
   void stray() {
     strayed_ += track_.rates().spread;
-    if (strayed_ <= kWiden) return;
+    for (; strayed_ > 0.5; strayed_ = std::max(0.0, strayed_ - 1)) widen();
+  }
+
+  // What is known of strips is what is of both beside them, too.
+  void widen() {
     const Values horizon = horizon_;
     const Values wall = wall_;
     for (std::size_t i = 0; i < kCells; i += kLanes) {
       keep(horizon_, i, highest(horizon, i, {-1, 1}));
       keep(wall_, i, lowest(wall, i, {-1, 1}));
     }
-    strayed_ = 0;
   }
 
   const SunSweep& sweep_;
