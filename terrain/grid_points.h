@@ -29,7 +29,7 @@ struct alignas(64) GridPoints {
   // What a map of the sun says of them: 1 = shaded.
   alignas(64) std::array<std::uint8_t, kMost> shaded;
   List unknown;  // those of which it does not
-  List nowhere;  // of which it is not sure in which cell they lie
+  List nowhere;  // those in a hole below all ground, or it is not sure in which cell
 };
 
 }  // namespace terrview

@@ -180,7 +180,7 @@ void SunField::widen_between_nodes() {
     rates.spread += drift_bend / 2;
     rates.rise_least -= rise_bend / 2;
     rates.rise_most += rise_bend / 2;
-    regular_ &= rates.rise_least > 0;
+    regular_ &= rates.rise_least > 0 && rates.spread <= kMostDrift;
   }
 }
 

@@ -136,11 +136,12 @@ void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach&
   const double scale = terrain.frame().z_scale;
   const double slack =
       kSlack * (terrain.height_bound_m() / scale + codes_.rise_most * field.lines());
-  SunSweep sweep{*terrain.layers()[0].grid, field,       slack, codes_.low, codes_.per_height, 0,
-                 field.lines() - 2,         words_.get()};
+  const glm::dvec2 range = terrain.height_range_m() / scale;
+  SunSweep sweep{
+      *terrain.layers()[0].grid, field,       slack, codes_.low, codes_.per_height, range.y, 0,
+      field.lines() - 2,         words_.get()};
   const Part part = part_of(field, {wanted.first, glm::min(wanted.last, cells_ - 1)});
   // Ground further towards the sun is lower than all rays from there.
-  const glm::dvec2 range = terrain.height_range_m() / scale;
   const double over_all = 1.001 * (range.y - range.x) + 8 * slack + 2 * field.blur();
   const double lead = std::ceil(over_all / codes_.rise_least) + 2;
   sweep.first_line = static_cast<int>(std::max(0.0, part.first.y - lead));
@@ -156,7 +157,7 @@ Sunlight SunMap::at(glm::dvec2 uv, double height) const {
   const glm::dvec2 cell = glm::floor(uv);
   const glm::dvec2 in_cell = uv - cell;
   const bool over_grid = cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y;
-  if (!over_grid || !is_inside(in_cell, kBorder)) return Sunlight::unknown;
+  if (!over_grid || !is_inside(in_cell, kBorder) || height < codes_.low) return Sunlight::unknown;
   const std::uint32_t codes = word(glm::ivec2(cell));
   const std::uint32_t free_above = Codes::free_above(codes);
   const double share =

@@ -72,7 +72,7 @@ class SunMap {
   [[nodiscard]] const std::uint32_t* words() const { return words_.get(); }
 
   // Of a point on the ground or above it, at a place of the grid in posts: unknown next to the
-  // border of its cell, and beyond the grid.
+  // border of its cell, beyond the grid, and in a hole below all ground.
   [[nodiscard]] Sunlight at(glm::dvec2 uv, double height) const;
 
   // Whether all the ground of the cell in which a ray meets it is lit. False next to the border of

@@ -53,6 +53,8 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
     const V least = hn::Min(in_column, in_row);
     const V most = hn::Max(in_column, in_row);
     M sure = hn::And(least > of(SunMap::kBorder), most < of(1 - SunMap::kBorder));
+    const V height = hn::Load(D(), points.height.data() + i);
+    sure = hn::And(sure, height >= of(codes.low));
     sure = hn::And(sure, hn::And(hn::Min(column, row) >= of(0),
                                  hn::And(column <= last_column, row <= last_row)));
     const V index = column + row * (last_column + of(1));
@@ -64,7 +66,6 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
         hn::PromoteTo(D(), hn::BitCast(ints, hn::And(word, hn::Set(words, SunMap::Codes::kMost))));
     const V stopped_below = hn::PromoteTo(D(), hn::BitCast(ints, hn::ShiftRight<16>(word)));
 
-    const V height = hn::Load(D(), points.height.data() + i);
     const V share = of(codes.share0) + of(codes.share_per_column) * in_column +
                     of(codes.share_per_row) * in_row;
     const V least_code =
@@ -229,8 +230,13 @@ void shaded_apart(const Terrain& terrain, const SunMap& map, std::span<const glm
     const Sunlight known = map.at(layer.map->to_grid(ground_m), height);
     shaded[i] = known == Sunlight::shaded ? 1 : 0;
     if (known != Sunlight::unknown) continue;
-    unknown.push_back(i);
-    rays.push_back({points_m[i], direction_at(terrain.frame(), points_m[i], map.to_sun())});
+    const Ray ray{points_m[i], direction_at(terrain.frame(), points_m[i], map.to_sun())};
+    if (height < map.codes().low) {
+      shaded[i] = terrain.occluded(ray, &counts) ? 1 : 0;
+    } else {
+      unknown.push_back(i);
+      rays.push_back(ray);
+    }
   }
   std::vector<std::uint8_t> stopped(rays.size());
   occluded(terrain, rays, stopped, counts, &map);

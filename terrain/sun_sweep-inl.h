@@ -45,7 +45,11 @@ class StripSweep {
   void run() {
     for (int line = 0; line <= sweep_.last_line; line += kSunPanelLines) {
       const int end = std::min(line + kSunPanelLines, field_.lines() - 1);
-      if (end > sweep_.first_line && load_panel(line, end)) sweep_panel(line, end);
+      if (line > 0 && line <= sweep_.first_line && sweep_.first_line < end) pass_skipped(line);
+      if (end > sweep_.first_line && load_panel(line, end))
+        sweep_panel(line, end);
+      else  // bent tracks may come back
+        for (int y = line; y < end; ++y) stray();
       track_.next_panel();
       track_after_.next_panel();
     }
@@ -177,8 +181,7 @@ class StripSweep {
     light_cells(line, strips, beside);
     pass_cells(turned(strips));
     pass_edges(turned(range_of(in_strip - astray, in_strip + 1 + astray)));
-    strayed_ += rates.spread;
-    if (strayed_ > 0.5) widen();
+    stray();
   }
 
   // What the cells of a line do to rays, from their posts.
@@ -328,6 +331,13 @@ class StripSweep {
     return sweep_.slack + field_.blur() + field_.track_error() * rates.rise_most;
   }
 
+  // Raises all horizons over the ground of the lines before, whatever it is.
+  void pass_skipped(int line) {
+    const VF top = of(sweep_.highest + track_.rise_least(line));
+    for (std::size_t i = 0; i < kCells; i += kLanes)
+      keep(horizon_, i, hn::Max(get(horizon_, i), top));
+  }
+
   // Raises the horizons of the strips over cells that do not face the sun.
   VEC_INLINE void pass_cells(const Range& cells) {
     for (std::size_t i = 0; i < kCells; i += kLanes)
@@ -340,7 +350,13 @@ class StripSweep {
       keep(wall_, i, hn::Max(get(wall_, i), lowest(edge_, i, edges)));
   }
 
-  // Rays have strayed from the mean way: those of a strip may have come from the next.
+  // Rays stray from the mean way over a line: those of a strip may come from another.
+  void stray() {
+    strayed_ += track_.rates().spread;
+    for (; strayed_ > 0.5; strayed_ = std::max(0.0, strayed_ - 1)) widen();
+  }
+
+  // What is known of strips is what is of both beside them, too.
   void widen() {
     const Values horizon = horizon_;
     const Values wall = wall_;
@@ -348,7 +364,6 @@ class StripSweep {
       keep(horizon_, i, highest(horizon, i, {-1, 1}));
       keep(wall_, i, lowest(wall, i, {-1, 1}));
     }
-    strayed_ = 0;
   }
 
   const SunSweep& sweep_;

@@ -26,6 +26,7 @@ struct SunSweep {
   const SunField& field;
   double slack;               // more than the rounding of heights along rays
   double low, per_height;     // of codes: SunMap::Codes
+  double highest;             // ground, of lines that are not swept
   int first_line, last_line;  // of cells
   std::uint32_t* words;       // of cells row by row
 
