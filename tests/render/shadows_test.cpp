@@ -144,8 +144,8 @@ TEST(SunShares, AreTheSameWithAMapOfTheSun) {
       ground_m.emplace_back(std::fmod(i * 37.7, 9000) - 4500, std::fmod(i * 91.3, 9000) - 4500);
     std::vector<Hit> points = points_below(*scene.terrain, ground_m);
     const std::size_t on_ground = points.size();
-    for (std::size_t i = 0; i < on_ground; i += 3) {  // of objects
-      Hit above{};
+    for (std::size_t i = 0; i < on_ground; i += 3) {  // of objects: only their positions count
+      Hit above = points[(i + 1) % on_ground];
       above.grid = kOffGround;
       above.position_m = points[i].position_m + glm::dvec3(0, 0, 0.01 * static_cast<double>(i));
       points.push_back(above);
