@@ -253,7 +253,7 @@ class StripSweep {
   }
 
   // What is known of rays over the cells of a line from the ground towards the sun: what was
-  // passed, the cells beside them from which rays come over the line itself, and their own.
+  // passed, and the cells from which rays come over the line itself, their own among them.
   VEC_INLINE void light_cells(int line, const Range& strips, const Range& beside) {
     const hn::RebindToSigned<F> ints;
     const double slack = slack_of(track_.rates());
@@ -264,8 +264,7 @@ class StripSweep {
     std::uint32_t* words = words_[static_cast<std::size_t>(line - panel_line_)].data();
     for (std::size_t i = 0; i < kCells; i += kLanes) {
       const VF ahead = hn::Max(highest(horizon_, i, strips), highest(caster_, i, beside));
-      const VF horizon = hn::Max(ahead, get(caster_, i));
-      const VF free_above = hn::Ceil((horizon - free0) * per_height);
+      const VF free_above = hn::Ceil((ahead - free0) * per_height);
       const VF not_free = hn::Max(of(0), hn::Min(free_above, most));
       const VF free_code = most - hn::IfThenElseZero(get(low_, i) <= ahead, not_free);
       const VF stopped_below = hn::Floor((lowest(wall_, i, strips) - stopped0) * per_height);
