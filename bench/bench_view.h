@@ -18,7 +18,7 @@ struct BenchView {
   Camera camera;
   glm::dvec2 eye_uv;
   glm::dvec3 eye_m;   // in the scene frame, exact in single precision
-  glm::dvec3 to_sun;  // unit length
+  glm::dvec3 to_sun;  // true direction at the eye, unit length
 };
 
 // horizon and oblique from a summit, valley and up from a valley floor, gridline from a post along

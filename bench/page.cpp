@@ -106,8 +106,6 @@ void write_earths(std::ostream& out, const Results& results) {
   };
   for (const char* rays : {"primary", "shadow"})
     for (const BenchResult* flat : of_terrview(results, rays)) {
-      // On other Earths shadow rays of the benchmark go without a map of the sun.
-      if (const BenchResult* no_map = beside(results, *flat, kNoMapWay)) flat = no_map;
       const BenchResult* curved = beside(results, *flat, kCurvedWay);
       const BenchResult* bent = beside(results, *flat, kBentWay);
       if (!curved || !bent) continue;

@@ -17,6 +17,7 @@
 #include "render/parallel.h"
 #include "terrain/occlusion.h"
 #include "terrain/sun_shadow.h"
+#include "terrain/view_transform.h"
 
 namespace terrview {
 namespace {
@@ -125,7 +126,8 @@ FrameWork shade_rays(const Terrain& terrain, const BenchView& view, const SunMap
     } else {
       std::vector<Ray> sunward;
       sunward.reserve(begins.points_m.size());
-      for (const glm::dvec3& point_m : begins.points_m) sunward.push_back({point_m, view.to_sun});
+      for (const glm::dvec3& point_m : begins.points_m)
+        sunward.push_back({point_m, direction_at(terrain.frame(), point_m, view.to_sun)});
       occluded(terrain, sunward, stopped, counts);
     }
     std::fill_n(frame.begin() + std::ptrdiff_t{row} * rays.size_px.x, rays.size_px.x,

@@ -83,13 +83,11 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
     ViewTracer tracer = scalar_place(view);
     const auto columns = column_view(view.camera);
     const auto terrain = terrain_on(method.earth, dem, view, method.surface, method.search);
-    // On other Earths the rays of the benchmark, parallel in its frame, are not those of one sun.
-    if (method.earth == BenchEarth::flat)
-      tracer.shadow = [terrain, &view, map = std::shared_ptr<const SunMap>()](
-                          const ShadowRays& rays, int threads, ShadowFrame& frame) mutable {
-        if (!map) map = sun_map_of(*terrain, view, rays, threads);
-        return shade_rays(*terrain, view, map.get(), rays, threads, frame);
-      };
+    tracer.shadow = [terrain, &view, map = std::shared_ptr<const SunMap>()](
+                        const ShadowRays& rays, int threads, ShadowFrame& frame) mutable {
+      if (!map) map = sun_map_of(*terrain, view, rays, threads);
+      return shade_rays(*terrain, view, map.get(), rays, threads, frame);
+    };
     if (EyeFront::serves(*terrain)) {
       tracer.primary = [terrain, &view](int threads, TracedFrame& frame) {
         const auto front = view_front(*terrain, view.camera);

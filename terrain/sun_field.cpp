@@ -23,8 +23,10 @@ constexpr double kMostDrift = 1.4;
 
 constexpr int kNodes = 33;
 
-// A straight piece of a track turns from the curve by less, in posts over a post.
-constexpr double kTrackTurn = 0.005;
+// A straight piece within kTrackError_cells of a track x(line) with |x''| <= b is shorter than
+// sqrt(0.28 / b), for drifts up to kMostDrift, and turns from the track by less than this times
+// sqrt(b), in posts over a line.
+constexpr double kTurnOfBend = 0.4;
 
 // What is next to the eye: where its blur is a larger share of a ray's rise.
 constexpr double kEyeTurn = 0.005;
@@ -64,7 +66,8 @@ GridDirection in_grid(const Terrain& terrain, const glm::dvec3& at_m, const glm:
 // How far a ray goes until it is above all ground or leaves the disc where that lies.
 double length_m(const Terrain& terrain, const glm::dvec3& from_m, const glm::dvec3& direction) {
   const double level = glm::length(glm::dvec2(direction));
-  const double to_sky_m = 2 * terrain.height_bound_m() / std::max(direction.z, 1e-9 * level);
+  const glm::dvec2 range_m = terrain.height_range_m();
+  const double to_sky_m = 2 * (range_m.y - range_m.x) / std::max(direction.z, 1e-9 * level);
   const GroundLine line{glm::dvec2(from_m), glm::dvec2(direction) / level};
   return std::min(to_sky_m, std::max(0.0, leaves_disc_m(line, terrain.reach_m())) / level);
 }
@@ -125,12 +128,13 @@ SunField::Way SunField::way(const Terrain& terrain, const glm::dvec3& at_m,
   return {along / over, in.rise / over, regular};
 }
 
-// The field at a node, between the heights of the ground; and how a ray from there, which is
+// The field at a node, at the lowest and the highest ground; and how a ray from there, which is
 // straight in the view frame, has turned from it where it ends.
 SunRates SunField::sample(const Terrain& terrain, const glm::dvec3& to_sun, glm::dvec2 ground_m) {
   const VerticalFrame& frame = terrain.frame();
   std::optional<SunRates> rates;
-  for (const double height_m : {-terrain.height_bound_m(), terrain.height_bound_m()}) {
+  const glm::dvec2 range_m = terrain.height_range_m();
+  for (const double height_m : {range_m.x, range_m.y}) {
     const glm::dvec3 at_m(ground_m, frame.at(ground_m).z_m(height_m));
     const glm::dvec3 direction = direction_at(frame, at_m, to_sun);
     const Way here = way(terrain, at_m, direction);
@@ -165,7 +169,10 @@ void SunField::fill_lattice(const Terrain& terrain, const glm::dvec3& to_sun) {
 void SunField::widen_between_nodes() {
   double drift_bend = 0;
   double rise_bend = 0;
+  double most_turn = 0;  // from node to node
   const auto see = [&](const SunRates& a, const SunRates& b, const SunRates& c) {
+    for (const SunRates& beside : {a, c})
+      most_turn = std::max(most_turn, std::abs(beside.drift - b.drift) + beside.spread + b.spread);
     drift_bend = std::max(drift_bend, std::abs(a.drift - 2 * b.drift + c.drift));
     for (double SunRates::*rise : {&SunRates::rise_least, &SunRates::rise_most})
       rise_bend = std::max(rise_bend, std::abs(a.*rise - 2 * (b.*rise) + c.*rise));
@@ -182,6 +189,8 @@ void SunField::widen_between_nodes() {
     rates.rise_most += rise_bend / 2;
     regular_ &= rates.rise_least > 0 && rates.spread <= kMostDrift;
   }
+  const double posts_a_node = std::max(1, std::min(size_.x, size_.y) - 1) / (nodes_ - 1.0);
+  if (!linear_) track_turn_ = kEyeTurn + kTurnOfBend * std::sqrt(most_turn / posts_a_node);
 }
 
 void SunField::blur_the_eye(const Terrain& terrain) {
@@ -205,7 +214,5 @@ SunRates SunField::rates(glm::dvec2 first_xy, glm::dvec2 last_xy) const {
 }
 
 double SunField::track_error() const { return linear_ ? 0 : 2 * GroundMap::kTrackError_cells; }
-
-double SunField::track_turn() const { return linear_ ? 0 : kTrackTurn + kEyeTurn; }
 
 }  // namespace terrview

@@ -50,7 +50,7 @@ class SunField {
   // In posts: how far a ray's track may lie beside its line in the grid.
   [[nodiscard]] double track_error() const;
   // By how much the drift of a track, and the share of its rise, may be those of another direction.
-  [[nodiscard]] double track_turn() const;
+  [[nodiscard]] double track_turn() const { return track_turn_; }
 
   // Below the eye the curvature of the Earth turns with the azimuth, and heights along a ray do not
   // change smoothly: by how much, in the grid's unit, they may be others than the rates say, and
@@ -89,6 +89,7 @@ class SunField {
   bool from_last_ = false;
   bool regular_ = true;
   glm::ivec2 size_{};  // posts, lines
+  double track_turn_ = 0;
   double blur_ = 0;
   double near_eye_ = -1;
   glm::dvec2 eye_xy_{0, 0};

@@ -85,11 +85,10 @@ StripSpan strips_over(const SunField& field) {
   for (const int start : {0, field.posts()}) {
     StripTrack track(field, start);
     for (int line = 0; line < field.lines(); line += kSunPanelLines) {
-      const int last = std::min(line + kSunPanelLines, field.lines());
-      const int moved = std::max(start - track.x(line), start - track.x(last));
-      const int back = std::min(start - track.x(line), start - track.x(last));
-      span.end = std::max(span.end, field.posts() + moved + 1);
-      span.first = std::min(span.first, back - 1);
+      for (const int edge : {line, std::min(line + kSunPanelLines, field.lines())}) {
+        span.first = std::min(span.first, start - track.x(edge) - 1);
+        span.end = std::max(span.end, field.posts() + start - track.x(edge) + 1);
+      }
       track.next_panel();
     }
   }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -276,8 +277,10 @@ class StripSweep {
     }
   }
 
-  // The cells of a line that are these strips', as far as the next strips' own.
+  // The cells of a line that are these strips', as far as the next strips' own: rays towards one
+  // sun do not cross, so each cell is of one sweep.
   [[nodiscard]] Range own_cells(int line) const {
+    assert(track_.x(line) <= track_after_.x(line));
     const int width = field_.posts() - 1;
     const int most = static_cast<int>(kCells) - 2 * kSunHalo;
     const int first = std::clamp(track_.x(line), 0, width);
