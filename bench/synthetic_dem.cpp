@@ -9,6 +9,7 @@
 #include "bench/bench_dem.h"
 #include "render/parallel.h"
 #include "samples/mountains.h"
+#include "terrain/huge_pages.h"
 
 namespace terrview {
 namespace {
@@ -91,7 +92,7 @@ float roof(int column, int row) {
 template <class Height>
 HeightGrid fill_grid(int side_posts, Height height) {
   const auto side = static_cast<std::size_t>(side_posts);
-  HeightGrid grid{side_posts, side_posts, std::vector<float>(side * side)};
+  HeightGrid grid{side_posts, side_posts, floats_in_huge_pages(side * side, 0)};
   parallel_for(side_posts, 0, [&](int row) {
     float* heights_m = grid.heights_m.data() + static_cast<std::size_t>(row) * side;
     for (int column = 0; column < side_posts; ++column) heights_m[column] = height(column, row);

@@ -11,6 +11,7 @@
 #include "ingest/fill_voids.h"
 #include "ingest/gdal_scope.h"
 #include "terrain/error.h"
+#include "terrain/huge_pages.h"
 
 namespace terrview {
 namespace {
@@ -62,7 +63,7 @@ class DemReader {
     auto grid = std::make_shared<HeightGrid>();
     grid->columns = mosaic.columns;
     grid->rows = mosaic.rows;
-    grid->heights_m.assign(
+    grid->heights_m = floats_in_huge_pages(
         static_cast<std::size_t>(mosaic.columns) * static_cast<std::size_t>(mosaic.rows),
         std::numeric_limits<float>::quiet_NaN());
     for (const Mosaic::Part& part : mosaic.parts) read_part(part, *grid, result);

@@ -15,6 +15,7 @@
 
 #include <glm/common.hpp>
 
+#include "terrain/huge_pages.h"
 #include "terrain/sun_map.h"
 #include "terrain/sun_sweep-inl.h"
 #include "terrain/sun_sweep.h"
@@ -128,6 +129,7 @@ SunMap::SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& 
   // Pages of zeros that nobody writes cost nothing.
   words_.reset(static_cast<std::uint32_t*>(std::calloc(bytes(), 1)));
   if (!words_) throw std::bad_alloc();
+  prefer_huge_pages(words_.get(), bytes());
 }
 
 void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each,
