@@ -7,7 +7,8 @@
 namespace terrview {
 namespace {
 
-// Wedges a pixel wide would cost more than they spare.
+// Wedges a pixel wide would cost more than they spare. Of a view that looks down: where its rays
+// mostly go, since a pixel spans more azimuth the nearer it is to the nadir.
 constexpr double kWedge_px = 6;
 
 // The slopes at points of the image all over: for most rays, which is all that counts.
@@ -16,15 +17,18 @@ EyeFrontOptions options_of(const Camera& camera) {
   const CameraOptions& options = camera.options();
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
+  double across = 0;
   for (int i = 0; i <= kSteps; ++i)
     for (int j = 0; j <= kSteps; ++j) {
       const glm::dvec2 share = glm::dvec2(i, j) / static_cast<double>(kSteps);
       const glm::dvec3 direction = camera.ray(share * glm::dvec2(options.size_px)).direction;
-      const double slope = direction.z / glm::length(glm::dvec2(direction));
+      const double level = glm::length(glm::dvec2(direction));
+      const double slope = direction.z / level;
+      across += level / glm::length(direction) / ((kSteps + 1) * (kSteps + 1));
       lowest = std::min(lowest, slope);
       highest = std::max(highest, slope);
     }
-  return {.wedge_rad = kWedge_px * options.fov_rad / camera.whole_px().x,
+  return {.wedge_rad = kWedge_px * options.fov_rad / camera.whole_px().x / across,
           .lowest_slope = lowest,
           .highest_slope = highest};
 }

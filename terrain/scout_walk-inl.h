@@ -142,7 +142,10 @@ class ScoutWalk {
     VI post_ahead_u, post_ahead_v, post_step_u, post_step_v;
     VF stray_u, stray_v;  // of the place between two posts
     VF slack_u, slack_v;  // of heights
-    VI post;              // the first of the cell
+    // The cell, and its first post. They go on whatever the ray meets, so that the cells ahead need
+    // not wait for the heights of this one.
+    VF column, row;
+    VI post;
   };
 
   VEC_INLINE Course course_of(const Walk& w) const {
@@ -180,6 +183,8 @@ class ScoutWalk {
     }
     c.slack_u = of(kRounding) * terms + rate * off_u;
     c.slack_v = of(kRounding) * terms + rate * off_v;
+    c.column = w.column;
+    c.row = w.row;
     c.post =
         hn::ConvertTo(I(), row_of(w)) * of_int(grid_.columns) + hn::ConvertTo(I(), column_of(w));
     return c;
@@ -213,8 +218,8 @@ class ScoutWalk {
 
   // One cell; beyond the grid, a cell of what is not ground.
   VEC_INLINE void cross(Walk& w, Course& c, Fates& fates) {
-    const VF g_u = hn::MulAdd(w.column, w.metres_u, c.before_u);
-    const VF g_v = hn::MulAdd(w.row, w.metres_v, c.before_v);
+    const VF g_u = hn::MulAdd(c.column, w.metres_u, c.before_u);
+    const VF g_v = hn::MulAdd(c.row, w.metres_v, c.before_v);
     const MF over_column = g_u <= g_v;
     const auto over_column_i = hn::RebindMask(I(), over_column);
     const VF g = hn::Min(g_u, g_v);
@@ -225,7 +230,7 @@ class ScoutWalk {
     }
     const VF place = hn::MulAdd(hn::IfThenElse(over_column, w.rate_v, w.rate_u), g,
                                 hn::IfThenElse(over_column, w.base_v, w.base_u));
-    const VF share = place - hn::IfThenElse(over_column, w.row, w.column);
+    const VF share = place - hn::IfThenElse(over_column, c.row, c.column);
     const VI post = c.post + hn::IfThenElse(over_column_i, c.post_ahead_u, c.post_ahead_v);
     const VI further = hn::IfThenElse(over_column_i, of_int(grid_.columns), of_int(1));
     const VF from = post_at(post);
@@ -243,11 +248,11 @@ class ScoutWalk {
     fates.hit = hn::Or(fates.hit, hn::And(fates.active, below));
     fates.unsure = hn::Or(fates.unsure, hn::AndNot(hn::Or(clear, below), fates.active));
     fates.active = hn::And(fates.active, clear);
-    const MF to_column = hn::And(fates.active, over_column);
-    const MF to_row = hn::AndNot(over_column, fates.active);
     w.g = hn::IfThenElse(fates.active, g, w.g);
-    w.column = hn::IfThenElse(to_column, w.column + c.step_u, w.column);
-    w.row = hn::IfThenElse(to_row, w.row + c.step_v, w.row);
+    c.column = hn::IfThenElse(over_column, c.column + c.step_u, c.column);
+    c.row = hn::IfThenElse(over_column, c.row, c.row + c.step_v);
+    w.column = hn::IfThenElse(fates.active, c.column, w.column);
+    w.row = hn::IfThenElse(fates.active, c.row, w.row);
     c.post = c.post + hn::IfThenElse(over_column_i, c.post_step_u, c.post_step_v);
   }
 
