@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "terrain/eye_tracer.h"
 #include "terrain/grid_walk.h"
@@ -14,8 +14,8 @@
 namespace terrview {
 namespace {
 
-// How near to the end of a ray, as a share of its length, a hit leaves in doubt whether it is
-// before it.
+// How near to the end of a ray, as a share of its length or of a cell, a hit leaves in doubt
+// whether it is before it.
 constexpr double kDoubt = 1e-6;
 
 // Whether a ray that goes on may be clear of ground which it meets where it ends: inside a cell,
@@ -38,7 +38,10 @@ bool ends_at_ground(const Terrain& terrain, const Ray& ray) {
 
 SightTracer::SightTracer(const Terrain& terrain)
     : terrain_(terrain), may_come_below_(terrain.has_holes() || !terrain.ground_at({0, 0})) {
-  if (EyeFront::serves(terrain)) front_.emplace(terrain, EyeFrontOptions{});
+  if (!EyeFront::serves(terrain)) return;
+  front_.emplace(terrain, EyeFrontOptions{});
+  const glm::dmat2 to_ground = glm::inverse(terrain.layers()[0].map->jacobian({0, 0}));
+  doubt_m_ = kDoubt * (glm::length(to_ground[0]) + glm::length(to_ground[1]));
 }
 
 void SightTracer::trace(std::span<const Ray> rays, std::span<std::uint8_t> stopped) const {
@@ -62,7 +65,8 @@ void SightTracer::trace_few(std::span<const Ray> rays, std::span<std::uint8_t> s
     const double end_m = rays[i].length_m / metres_per_g(on.slope[i]);
     const bool is_stopped = on.is_hit(i) && on.ground_m[i] < end_m;
     const bool in_doubt =
-        (on.is_hit(i) ? !(std::abs(on.ground_m[i] - end_m) > kDoubt * end_m) : may_come_below_) ||
+        (on.is_hit(i) ? !(std::abs(on.ground_m[i] - end_m) > kDoubt * end_m + doubt_m_)
+                      : may_come_below_) ||
         (!is_stopped && ends_at_ground(terrain_, rays[i]));
     stopped[i] = (in_doubt ? terrain_.occluded(rays[i]) : is_stopped) ? 1 : 0;
   }

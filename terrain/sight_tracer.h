@@ -30,6 +30,7 @@ class SightTracer {
   const Terrain& terrain_;
   bool may_come_below_;  // the ground, over an edge of it
   std::optional<EyeFront> front_;
+  double doubt_m_ = 0;  // beside an end
 };
 
 }  // namespace terrview

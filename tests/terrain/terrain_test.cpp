@@ -54,7 +54,7 @@ TEST_P(TerrainOf, GroundAtAPointOfACellIsTheModels) {
 TEST_P(TerrainOf, GroundAtTheEdgeOfAHoleIsThatOfTheCellBeside) {
   const Place place{};
   const Terrain slope = terrain(
-      make_grid(7, 7, [](int c, int r) { return c == 3 && r == 3 ? kVoid : 10 * c + r; }), place);
+      make_grid(7, 7, [](int c, int r) { return c == 3 && r == 3 ? kVoid : 10.0 * c + r; }), place);
   for (const glm::dvec2 edge : {glm::dvec2(2, 2.5), {2.5, 2}, {2, 2}, {4, 2.5}, {2.5, 4}, {4, 4}}) {
     const auto ground = slope.ground_at(ground_of(place, edge));
     ASSERT_TRUE(ground) << edge.x << ' ' << edge.y;
