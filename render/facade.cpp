@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "render/objects/scene_objects.h"
@@ -15,15 +16,31 @@ namespace {
 // Rays meet a wall to within so much.
 constexpr double kBefore_m = 1e-3;
 
-// An upright strip of a wall, through its middle.
+// An upright strip of a wall: its area is that of its middle.
 struct Strip {
-  glm::dvec2 at_m;
-  double width_m;
+  const Prism* prism;
+  glm::dvec2 from_m;
+  glm::dvec2 edge_m;
+  int number;  // along the wall
+  double height_m;
+
+  [[nodiscard]] double width_m() const { return glm::length(edge_m); }
+};
+
+// Of a wall at a place.
+struct Upright {
   double foot_z_m;
   double top_z_m;
 
   [[nodiscard]] double height_m() const { return top_z_m - foot_z_m; }
 };
+
+Upright upright_at(const Terrain& terrain, const Prism& prism, glm::dvec2 at_m) {
+  double foot_z_m = prism.foot_z_m(at_m);
+  if (const auto ground = terrain.ground_at(at_m))
+    foot_z_m = std::max(foot_z_m, terrain.frame().at(at_m).z_m(ground->scene_height_m));
+  return {foot_z_m, prism.top_z_m(at_m)};
+}
 
 struct Wall {
   const Prism* prism;
@@ -32,14 +49,11 @@ struct Wall {
 
   // In `count` strips; those that are under the ground are left out.
   void add_strips(const Terrain& terrain, int count, std::vector<Strip>& strips) const {
+    const glm::dvec2 part_m = edge_m * (1.0 / count);
     for (int i = 0; i < count; ++i) {
-      const glm::dvec2 at_m = from_m + (i + 0.5) / count * edge_m;
-      double foot_z_m = prism->foot_z_m(at_m);
-      if (const auto ground = terrain.ground_at(at_m))
-        foot_z_m = std::max(foot_z_m, terrain.frame().at(at_m).z_m(ground->scene_height_m));
-      const double top_z_m = prism->top_z_m(at_m);
-      if (top_z_m > foot_z_m)
-        strips.push_back({at_m, glm::length(edge_m) / count, foot_z_m, top_z_m});
+      const glm::dvec2 begin_m = from_m + static_cast<double>(i) * part_m;
+      const Upright middle = upright_at(terrain, *prism, begin_m + 0.5 * part_m);
+      if (middle.height_m() > 0) strips.push_back({prism, begin_m, part_m, i, middle.height_m()});
     }
   }
 };
@@ -70,7 +84,7 @@ std::vector<Wall> facing_walls(std::span<const Prism* const> parts) {
 
 double area_m2(const std::vector<Strip>& strips) {
   double sum_m2 = 0;
-  for (const Strip& strip : strips) sum_m2 += strip.width_m * strip.height_m();
+  for (const Strip& strip : strips) sum_m2 += strip.width_m() * strip.height_m;
   return sum_m2;
 }
 
@@ -90,13 +104,24 @@ bool is_seen(const Scene& scene, std::span<const Prism* const> parts, const glm:
   return is_own && hit->surface.distance_m > distance_m - kBefore_m;
 }
 
+// Fractional parts of multiples: any few in a row lie evenly between 0 and 1, and so do sums of
+// both. From the plastic number (Roberts 2018, "The unreasonable effectiveness of quasirandom
+// sequences").
+double evenly_along(int row) { return glm::fract((row + 0.5) * 0.7548776662466927); }
+double evenly_up(int strip) { return glm::fract((strip + 0.5) * 0.5698402909980532); }
+
+// By a point in each of its rectangles, not in the middles, which an outline that runs along the
+// rectangles would pass all at once.
 FacadeSight strip_sight(const Scene& scene, std::span<const Prism* const> parts, const Strip& strip,
                         int rows) {
-  const double part_m2 = strip.width_m * strip.height_m() / rows;
+  const double part_m2 = strip.width_m() * strip.height_m / rows;
   FacadeSight sight{.facing_m2 = rows * part_m2};
   for (int row = 0; row < rows; ++row) {
-    const glm::dvec3 point_m(strip.at_m, strip.foot_z_m + (row + 0.5) / rows * strip.height_m());
-    if (is_seen(scene, parts, point_m))
+    const glm::dvec2 at_m = strip.from_m + evenly_along(row) * strip.edge_m;
+    const Upright upright = upright_at(*scene.terrain, *strip.prism, at_m);
+    const glm::dvec3 point_m(
+        at_m, upright.foot_z_m + (row + evenly_up(strip.number)) / rows * upright.height_m());
+    if (upright.height_m() > 0 && is_seen(scene, parts, point_m))
       sight += {.seen_m2 = part_m2, .nearest_m = point_m, .farthest_m = point_m};
   }
   return sight;
@@ -133,7 +158,7 @@ FacadeSight facade_sight(const Scene& scene, std::span<const Prism* const> parts
   std::vector<FacadeSight> sights(strips.size());
   parallel_for(static_cast<int>(strips.size()), options.threads, [&](int index) {
     const auto i = static_cast<std::size_t>(index);
-    sights[i] = strip_sight(scene, parts, strips[i], count_of(strips[i].height_m(), step_m));
+    sights[i] = strip_sight(scene, parts, strips[i], count_of(strips[i].height_m, step_m));
   });
   FacadeSight sight;
   for (const FacadeSight& one : sights) sight += one;

@@ -208,7 +208,9 @@ class EyeLoop {
     const M leaps = hn::And(hn::And(further, far), mask_of(active));
     if (bits_of(leaps) != 0) {
       const M settled = walk_.settle(r, first, start_m, leaps).settled;
-      const std::uint32_t lost = active & bits_of(hn::AndNot(settled, leaps));
+      // A track that rounding puts on either side of a line may settle behind where it was.
+      const M onward = hn::And(settled, r.g >= g);
+      const std::uint32_t lost = active & bits_of(hn::AndNot(onward, leaps));
       rescue(first, lost);
       active &= ~lost;
       walk_.keep(r, first);

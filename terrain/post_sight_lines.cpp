@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "terrain/eye_tracks.h"
+#include "terrain/track_piece.h"
 
 namespace terrview {
 namespace {
@@ -15,54 +15,39 @@ namespace {
 // How far a line of sight goes on beyond the last line that it crosses: above rounding.
 constexpr double kBeyond_cells = 1e-7;
 
-struct TrackPoint {
-  glm::dvec2 uv;
-  glm::dvec2 rate;  // posts per metre
-};
-
-// Of the line from the eye along a unit direction.
-TrackPoint track_point(const GroundMap& map, glm::dvec2 direction, double g_m) {
-  if (const EyeTracks* tracks = map.eye_tracks()) {
-    const TrackPiece piece = tracks->piece(direction, g_m, g_m);
-    return {piece.at(g_m), piece.rate};
-  }
-  return {map.to_grid(direction * g_m), map.jacobian(direction * g_m) * direction};
-}
-
 glm::dvec2 on_track(const GroundMap& map, glm::dvec2 ground_m) {
   const double g_m = glm::length(ground_m);
   return g_m > 0 ? track_point(map, ground_m / g_m, g_m).uv : map.to_grid(ground_m);
 }
 
-// By Newton's method from a guess.
+// By Newton's method from a guess. Where the patches of a map meet it may go to and fro between
+// two.
 std::optional<glm::dvec2> find_place(const GroundMap& map, glm::dvec2 uv, glm::dvec2 ground_m) {
-  constexpr int kMostSteps = 32;
-  for (int step = 0; step < kMostSteps && std::isfinite(ground_m.x + ground_m.y); ++step) {
+  constexpr int kSteps = 28;
+  constexpr int kStepsOverSeams = 4;
+  for (int step = 0; step < kSteps + kStepsOverSeams && std::isfinite(ground_m.x + ground_m.y);
+       ++step) {
     const glm::dvec2 error = on_track(map, ground_m) - uv;
-    if (glm::length(error) <= kPostPlace_cells) return ground_m;
+    const double allowed = step < kSteps ? kPostPlace_cells : GroundMap::kTrackError_cells;
+    if (glm::length(error) <= allowed) return ground_m;
     ground_m -= glm::inverse(map.jacobian(ground_m)) * error;
   }
   return std::nullopt;
 }
 
-// The guess for a post is what the one before says.
+// A post's guess is its own: places do not depend on which others are asked for.
 void add_places(const GroundMap& map, int row, std::span<const int> columns,
                 std::span<PostPlace> nearest) {
   const glm::dvec2 eye_uv = map.to_grid(glm::dvec2(0));
   const glm::dmat2 at_eye = glm::inverse(map.jacobian(glm::dvec2(0)));
-  std::optional<glm::dvec2> last_m;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const glm::dvec2 post(columns[i], row);
-    const glm::dvec2 guess_m = last_m
-                                   ? *last_m + glm::inverse(map.jacobian(*last_m))[0] *
-                                                   static_cast<double>(columns[i] - columns[i - 1])
-                                   : at_eye * (post - eye_uv);
-    last_m = find_place(map, post, guess_m);
-    if (!last_m) continue;
-    const double away_m = glm::length(*last_m);
+    const auto place_m = find_place(map, post, at_eye * (post - eye_uv));
+    if (!place_m) continue;
+    const double away_m = glm::length(*place_m);
     if (away_m <= map.reach_m() &&
         (nearest[i].map == nullptr || away_m < glm::length(nearest[i].ground_m)))
-      nearest[i] = {*last_m, &map};
+      nearest[i] = {*place_m, &map};
   }
 }
 

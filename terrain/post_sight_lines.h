@@ -24,8 +24,9 @@ struct PostPlace {
   const GroundMap* map = nullptr;  // null = nowhere within reach of the eye
 };
 
-// Of these columns of a row of `grid`, a layer of `terrain`, to kPostPlace_cells. Where two layers
-// are of one grid, a turn of the Earth apart, the place nearer to the eye.
+// Of these columns of a row of `grid`, a layer of `terrain`, each the same whichever others are
+// asked for: to kPostPlace_cells, or where patches of a map meet to GroundMap::kTrackError_cells.
+// Where two layers are of one grid, a turn of the Earth apart, the place nearer to the eye.
 inline constexpr double kPostPlace_cells = 1e-7;
 [[nodiscard]] std::vector<PostPlace> places_in_row(const Terrain& terrain, const HeightGrid& grid,
                                                    int row, std::span<const int> columns);

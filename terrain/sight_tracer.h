@@ -1,8 +1,8 @@
 // Whether the ground stops lines of sight from the eye, many at a time.
 //
 // The rays are followed beyond their ends by the vectors of terrain/eye_tracer.h, where these serve
-// the terrain: those that meet the ground before are stopped. One that ends where it meets the
-// ground, or may come below it over an edge, is left to the single ray's tracer.
+// the terrain: those that meet the ground before are stopped. One that meets the ground near its
+// end, or may come below it over an edge, is left to the single ray's tracer.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +30,7 @@ class SightTracer {
   const Terrain& terrain_;
   bool may_come_below_;  // the ground, over an edge of it
   std::optional<EyeFront> front_;
+  double doubt_m_ = 0;  // beside an end
 };
 
 }  // namespace terrview

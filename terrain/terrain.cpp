@@ -25,6 +25,18 @@ void check(const HeightGrid& grid, const HeightRange& range) {
     throw InputError("a grid of " + size + " posts has no height at all: check its nodata value");
 }
 
+// The cell with ground that a point of the grid belongs to: those on a line belong to the cells on
+// both sides, as the walks of rays find.
+std::optional<glm::ivec2> ground_cell(const HeightGrid& grid, glm::dvec2 uv) {
+  const glm::ivec2 last = cell_of(grid, uv);
+  const glm::ivec2 first(last.x > 0 && uv.x == last.x ? last.x - 1 : last.x,
+                         last.y > 0 && uv.y == last.y ? last.y - 1 : last.y);
+  for (int row = last.y; row >= first.y; --row)
+    for (int column = last.x; column >= first.x; --column)
+      if (grid.has_ground(column, row)) return glm::ivec2(column, row);
+  return std::nullopt;
+}
+
 void add_work(const TraceCounts& done, TraceCounts* sum) {
   if (!sum) return;
   sum->tests += done.tests;
@@ -83,10 +95,9 @@ std::optional<Terrain::Ground> Terrain::ground_at(glm::dvec2 ground_m) const {
     const HeightGrid& grid = *layers_[i].grid;
     const glm::dvec2 uv = layers_[i].map->to_grid(ground_m);
     if (!grid.covers(uv)) continue;
-    const glm::ivec2 cell = cell_of(grid, uv);
-    if (!grid.has_ground(cell.x, cell.y)) continue;
-    return Ground{frame_.z_scale * height_at(grid, model_, cell, uv), static_cast<int>(i), cell,
-                  uv};
+    if (const auto cell = ground_cell(grid, uv))
+      return Ground{frame_.z_scale * height_at(grid, model_, *cell, uv), static_cast<int>(i), *cell,
+                    uv};
   }
   return std::nullopt;
 }

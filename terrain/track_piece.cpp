@@ -29,4 +29,12 @@ TrackPiece track_piece(const GroundMap& map, const GroundLine& line, double begi
   return piece;
 }
 
+TrackPoint track_point(const GroundMap& map, glm::dvec2 direction, double g_m) {
+  if (const EyeTracks* tracks = map.eye_tracks()) {
+    const TrackPiece piece = tracks->piece(direction, g_m, g_m);
+    return {piece.at(g_m), piece.rate};
+  }
+  return {map.to_grid(direction * g_m), map.jacobian(direction * g_m) * direction};
+}
+
 }  // namespace terrview

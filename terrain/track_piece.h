@@ -43,4 +43,11 @@ void put_piece(Lanes& lanes, std::size_t i, const TrackPiece& piece) {
 [[nodiscard]] TrackPiece track_piece(const GroundMap& map, const GroundLine& line, double begin_m,
                                      glm::dvec2 start, double to_m);
 
+// Where the line from the eye along a unit direction lies over the grid, as rays follow it.
+struct TrackPoint {
+  glm::dvec2 uv;
+  glm::dvec2 rate;  // posts per metre
+};
+[[nodiscard]] TrackPoint track_point(const GroundMap& map, glm::dvec2 direction, double g_m);
+
 }  // namespace terrview

@@ -85,6 +85,49 @@ TEST(PostSight, IsThatOfARayAPost) {
   for_random_eyes(2, special, expect_same_as_plain);
 }
 
+// Where lines of sight run along lines of the grid that part ground from holes, the least that
+// rounding does to them decides between the two.
+Terrain beside_holes(Random& random, SurfaceModel model) {
+  while (true) {
+    const Terrain terrain = special(random, model);
+    const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
+    if (terrain.has_holes() &&
+        (eye_uv.x == std::round(eye_uv.x) || eye_uv.y == std::round(eye_uv.y)))
+      return terrain;
+  }
+}
+
+TEST(PostSight, IsThatOfARayAPostAlongTheEdgesOfHoles) {
+  for_random_eyes(9, beside_holes, expect_same_as_plain);
+}
+
+// Planes, some of them broken, and whole heights: lines of sight graze posts and edges.
+Terrain of_planes(Random& random, SurfaceModel model) {
+  const int columns = random.integer(8, 40);
+  const int rows = random.integer(8, 40);
+  const int by_column = random.integer(-3, 3);
+  const int by_row = random.integer(-3, 3);
+  const bool roof = random.chance(0.5);
+  const auto grid = std::make_shared<const HeightGrid>(make_grid(columns, rows, [&](int c, int r) {
+    if (random.chance(0.02)) return static_cast<double>(kVoid);
+    return roof ? std::abs(c - columns / 2) * by_column + std::abs(r - rows / 2) * by_row
+                : c * by_column + r * by_row + 0.0;
+  }));
+  const glm::dvec2 eye_uv(0.5 * random.integer(0, 2 * columns - 2),
+                          0.5 * random.integer(0, 2 * rows - 2));
+  const double half = std::sqrt(0.5);
+  const glm::dmat2 jacobian =
+      random.chance(0.5) ? glm::dmat2(1, 0, 0, -1) : glm::dmat2(half, half, half, -half) / 20.6;
+  const auto map = std::make_shared<AffineGroundMap>(eye_uv, jacobian, glm::ivec2(columns, rows));
+  return raised(Terrain({{grid, map}}, VerticalFrame{}, model), random.integer(0, 20));
+}
+
+TEST(PostSight, IsThatOfARayAPostWhereLinesOfSightGraze) {
+  Random random(10);
+  for (int i = 0; i < 400; ++i)
+    expect_same_as_plain(of_planes(random, SurfaceModel::hyperboloid), random.integer(0, 2));
+}
+
 TEST(PostSight, IsThatOfARayAPostWhereTracksBend) {
   for_random_eyes(3, random_parabolic_terrain, expect_same_as_plain);
   for_random_eyes(4, random_bent_terrain, expect_same_as_plain);
@@ -194,6 +237,15 @@ TEST(PostSight, OfAnEyeUnderTheGroundIsNone) {
                    {.eye_uv = {4, 4}, .eye_height_m = 4.9}, SurfaceModel::hyperboloid);
   const Seen seen = posts_that_see_eye(terrain, first_grid(terrain));
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 0);
+}
+
+// On the line between them, with a hole on the other side.
+TEST(PostSight, OfAnEyeUnderTheEdgeOfTheGroundIsNone) {
+  const Terrain terrain =
+      make_terrain(make_grid(9, 9, [](int c, int r) { return c == 5 && r == 4 ? kVoid : 5.0; }),
+                   {.eye_uv = {4, 4.5}, .eye_height_m = 4.9}, SurfaceModel::hyperboloid);
+  for (const bool plain : {false, true})
+    EXPECT_EQ(posts_that_see_eye(terrain, first_grid(terrain), {.plain = plain}), Seen(81, 0));
 }
 
 TEST(PostSight, ReachesAnEyeBesideTheGridOverItsEdge) {

@@ -96,6 +96,50 @@ TEST(TraceEyeRays, HasThemOnTracksThatLeaveTheGridAndComeBack) {
   EXPECT_GT(expect_hits_of_single_rays(front, directions), 500);
 }
 
+// The eye stands beside a row by the least there is, and the row's tracks begin their next pieces
+// on it: a leap that settles in a cell on the other side must come to an end all the same.
+TEST(TraceEyeRays, HasThemAlongALineThatRoundingPutsOnBothSides) {
+  const double beside = std::nextafter(20.0, 21.0);
+  Random random(0);
+  for (int i = 0; i < 20; ++i) {
+    const double bend_per_m = random.sign() * random.uniform(1e-5, 1e-3);
+    const auto map =
+        std::make_shared<const ParabolicGroundMap>(glm::dvec2(21, beside), 1.0, bend_per_m, 142.5);
+    const Terrain terrain({{.grid = std::make_shared<const HeightGrid>(
+                                make_grid(29, 28, [&](int, int) { return random.uniform(0, 1); })),
+                            .map = map}},
+                          {.eye_height_m = 20}, SurfaceModel::hyperboloid);
+    std::vector<glm::dvec3> directions;
+    for (int away = 2; away <= 18; ++away) directions.emplace_back(-away, 20 - beside, -20.5);
+    expect_hits_of_single_rays(EyeFront(terrain, {}), directions);
+  }
+}
+
+// Close by a column and a row, over a level plain on a small Earth: rays leave the ground, or do
+// not, in the first crossing.
+TEST(TraceEyeRays, HasThemOfAnEyeOnTheGround) {
+  Random random(9);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec2 eye_uv(16 - random.log_uniform(1e-13, 0.1),
+                            14 - random.log_uniform(1e-13, 0.1));
+    const auto map = std::make_shared<const AffineGroundMap>(
+        eye_uv, glm::dmat2(1 / 30.0, 0, 0, -1 / 45.0), glm::ivec2(21, 32));
+    VerticalFrame frame;
+    frame.north_curvature_per_m = frame.east_curvature_per_m = 1e-4;
+    const Terrain terrain(
+        {{.grid = std::make_shared<const HeightGrid>(make_grid(21, 32, [](int, int) { return 0; })),
+          .map = map}},
+        frame, SurfaceModel::hyperboloid);
+    std::vector<glm::dvec3> directions;
+    for (int j = 0; j < 50; ++j) {
+      const double azimuth_rad = random.uniform(0, 6.28);
+      directions.emplace_back(std::sin(azimuth_rad), std::cos(azimuth_rad),
+                              random.sign() * random.log_uniform(1e-7, 1e-2));
+    }
+    expect_hits_of_single_rays(EyeFront(terrain, {}), directions);
+  }
+}
+
 TEST(TraceEyeRays, HasThemUnderEveryInstructionSet) {
   under_every_instruction_set([] {
     expect_same_bits(5, Position::general, [](Random& random) {

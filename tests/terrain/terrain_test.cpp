@@ -51,6 +51,20 @@ TEST_P(TerrainOf, GroundAtAPointOfACellIsTheModels) {
   EXPECT_GT(grounds, 1000);
 }
 
+TEST_P(TerrainOf, GroundAtTheEdgeOfAHoleIsThatOfTheCellBeside) {
+  const Place place{};
+  const Terrain slope = terrain(
+      make_grid(7, 7, [](int c, int r) { return c == 3 && r == 3 ? kVoid : 10.0 * c + r; }), place);
+  for (const glm::dvec2 edge : {glm::dvec2(2, 2.5), {2.5, 2}, {2, 2}, {4, 2.5}, {2.5, 4}, {4, 4}}) {
+    const auto ground = slope.ground_at(ground_of(place, edge));
+    ASSERT_TRUE(ground) << edge.x << ' ' << edge.y;
+    EXPECT_NEAR(ground->scene_height_m, 10 * edge.x + edge.y, 1e-13);
+    EXPECT_TRUE(slope.layers()[0].grid->has_ground(ground->cell.x, ground->cell.y));
+  }
+  for (const glm::dvec2 inside : {glm::dvec2(2.01, 2.5), {2.5, 3}, {3, 3}, {3.99, 3.99}})
+    EXPECT_FALSE(slope.ground_at(ground_of(place, inside)));
+}
+
 TEST_P(TerrainOf, TheFirstLayerThatHasGroundWins) {
   const HeightGrid fine =
       make_grid(5, 5, [](int c, int r) { return c == 0 && r == 0 ? kVoid : 20; });
