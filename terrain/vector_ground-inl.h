@@ -120,6 +120,14 @@ VEC_INLINE LinearRates rates_along(const VectorLine& line, const glm::dmat2& jac
           invertible(of(j[0][1]) * line.x + of(j[1][1]) * line.y)};
 }
 
+// Jacobians of maps.
+struct VectorSlopes {
+  V u_by_x, v_by_x, u_by_y, v_by_y;
+};
+VEC_INLINE VectorSlopes all_lanes(const glm::dmat2& jacobian) {
+  return {of(jacobian[0].x), of(jacobian[0].y), of(jacobian[1].x), of(jacobian[1].y)};
+}
+
 // The heights at the corners of cells.
 struct Corners {
   V nw, ne, sw, se;
