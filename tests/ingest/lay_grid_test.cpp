@@ -292,6 +292,31 @@ TEST(LayGrid, TabulatesTheTracksOfEyesOverItBesideItAndFarAway) {
   }
 }
 
+// From so far that such a grid lies between two directions of a coarse table.
+TEST(LayGrid, KeepsTracksToSmallGridsFarAwayWithinTheirPromise) {
+  const GridCase grids[] = {
+      {"a", "EPSG:4326", {6.5, 48.6}, 2.7e-5, {288, 288}, {175.1, 197.2}},
+      {"b", "EPSG:4326", {6.5, 48.6}, 1.018e-4, {110, 110}, {72.9, 228.1}},
+  };
+  std::mt19937_64 random(29);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const GridCase& grid : grids) {
+    const LaidGrid laid = lay(grid)[0];
+    const EyeTracks* tracks = laid.map->eye_tracks();
+    ASSERT_NE(tracks, nullptr);
+    const Oracle oracle(grid, cases::eye_point(grid, *cases::transform(grid)));
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec2 post = glm::dvec2(grid.posts - 1) * glm::dvec2(share(random), share(random));
+      const glm::dvec2 ground_m = laid.exact.to_ground(post);
+      const double g_m = glm::length(ground_m);
+      const TrackPiece piece = tracks->piece(ground_m / g_m, g_m, laid.map->reach_m());
+      EXPECT_LE(glm::distance(piece.at(g_m), oracle.to_grid(ground_m)),
+                GroundMap::kTrackError_cells)
+          << grid.name;
+    }
+  }
+}
+
 TEST(LayGrid, LaysAGlobalGridOnBothSidesOfItsSeam) {
   const GridCase globe{"globe", "EPSG:4326", {-180, 90}, 1.0 / 4, {1440, 721}, {0.9999, 0.25}};
   const auto laid = lay(globe);
