@@ -253,7 +253,8 @@ class VectorGrid {
   }
 
   // Where the walk came into the cell in which `r` stands, through the edge last crossed. True: it
-  // did come into it, and not over the grid's border or at the piece's start.
+  // did come into it, and not over the grid's border or next to the piece's start, where by
+  // rounding the piece before may have crossed the edge too.
   VEC_INLINE M enter_cell(Registers& r, const Corners& corners) const {
     V column_line;
     V row_line;
@@ -277,7 +278,9 @@ class VectorGrid {
 
     const V line = hn::IfThenElse(over_column, column_line, row_line);
     const V last_line = hn::IfThenElse(over_column, columns_, rows_) - of(1);
-    return hn::And(hn::And(visited, r.g > r.begin), hn::And(line > of(0), line < last_line));
+    const V metres = hn::Abs(hn::IfThenElse(over_column, r.metres_u, r.metres_v));
+    const M on_piece = along > of(kStart_posts) * metres;
+    return hn::And(hn::And(visited, on_piece), hn::And(line > of(0), line < last_line));
   }
 
   VEC_INLINE V columns() const { return columns_; }
@@ -289,6 +292,9 @@ class VectorGrid {
   }
 
  private:
+  // Next to the start of a piece: far more than places are rounded by.
+  static constexpr double kStart_posts = 0x1p-16;
+
   // An edge of a cell: along a column of posts, or a row; the eastern one, the southern one.
   struct Edge {
     M over_column, east, south;
