@@ -148,7 +148,6 @@ double CurvedGroundMap::distance_from_grid(const GroundLine& line, double from_m
                                            double to_m) const {
   const glm::dvec2 start = to_grid(line.at(from_m));
   const glm::dvec2 end = to_grid(line.at(to_m));
-  // No point between is nearer, on a track as good as straight.
   const double nearest =
       (off_grid(start, last_post_) + off_grid(end, last_post_) - 1.1 * glm::distance(start, end)) /
       2;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <thread>
@@ -143,6 +144,33 @@ TEST_P(GroundMaps, KeepTracksWithinTheirPromise) {
   }
   EXPECT_LE(worst_cells, GroundMap::kTrackError_cells);
   EXPECT_LE(worst_rad, 1.1 * GroundMap::kTrackError_rad);
+}
+
+TEST_P(GroundMaps, KeepTheirDistanceFromTheGrid) {
+  constexpr int kSteps = 20;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 400; ++i) {
+    const double azimuth = 2 * std::numbers::pi * share(random);
+    const GroundLine line{{0, 0}, {std::sin(azimuth), std::cos(azimuth)}};
+    const double from_m = 0.5 * share(random) * map().reach_m();
+    const double to_m = from_m + 0.5 * share(random) * map().reach_m();
+    double length = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    const glm::dvec2 start = map().to_grid(line.at(from_m));
+    glm::dvec2 uv = start;
+    for (int j = 0; j <= kSteps; ++j) {
+      const glm::dvec2 next =
+          map().to_grid(line.at(glm::mix(from_m, to_m, static_cast<double>(j) / kSteps)));
+      length += glm::distance(uv, next);
+      uv = next;
+      nearest =
+          std::min(nearest, glm::length(glm::max(glm::dvec2(0), glm::max(uv - last_post(), -uv))));
+    }
+    if (length <= 1.1 * glm::distance(start, uv)) {
+      EXPECT_LE(map().distance_from_grid(line, from_m, to_m), nearest + 1e-3) << azimuth;
+    }
+  }
 }
 
 // Those of the table, where there is one; it adds little at the knots.

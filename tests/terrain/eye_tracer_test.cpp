@@ -155,6 +155,30 @@ TEST(TraceEyeRays, HasThemWhereKnotsLieOnLinesOfPosts) {
   }
 }
 
+// They come into the first cell along one piece of their track and meet its ground along the next.
+TEST(TraceEyeRays, HasThemWhereKnotsLieInCellsOfTheBorder) {
+  const auto map =
+      std::make_shared<const ParabolicGroundMap>(glm::dvec2(-14.3, 41.7), 30.0, 1e-5, 3000.0);
+  Random random(10);
+  const Terrain terrain({{.grid = std::make_shared<const HeightGrid>(
+                              make_grid(80, 80, [&](int, int) { return random.uniform(0, 1); })),
+                          .map = map}},
+                        {.eye_height_m = 100}, SurfaceModel::hyperboloid);
+  std::vector<glm::dvec3> directions;
+  int at_knot = 0;
+  while (directions.size() < 5000) {
+    const glm::dvec2 ground_m =
+        ground_at(*map, {random.uniform(0, 1), 41.7 + random.uniform(-30, 30)});
+    directions.emplace_back(ground_m, -100);
+    const double g_m = glm::length(ground_m);
+    const TrackPiece piece = map->eye_tracks()->piece(ground_m / g_m, g_m, 3000);
+    at_knot += piece.begin_m > 0 && piece.start.x > 0 && piece.start.x < 1 ? 1 : 0;
+  }
+  EXPECT_GT(at_knot, 100);
+  const EyeFront front(terrain, {.wedge_rad = 0.01});
+  EXPECT_GT(expect_hits_of_single_rays(front, directions), 4000);
+}
+
 TEST(TraceEyeRays, HasThemUnderEveryInstructionSet) {
   under_every_instruction_set([] {
     expect_same_bits(5, Position::general, [](Random& random) {
