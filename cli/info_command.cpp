@@ -43,7 +43,7 @@ std::vector<Dem> read(InfoOptions& options) {
   return read_dems(options.dems, options.dem);
 }
 
-void add_place(Json& json, const PostPlace& place) {
+void add_place(Json& json, const PostCoordinates& place) {
   json["x"] = place.xy.x;
   json["y"] = place.xy.y;
   if (!place.geographic) return;
@@ -53,7 +53,7 @@ void add_place(Json& json, const PostPlace& place) {
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
-Json to_json(const PostPlace& place) {
+Json to_json(const PostCoordinates& place) {
   Json json;
   add_place(json, place);
   return json;
@@ -92,7 +92,7 @@ Json to_json(const Dem& dem, const DemInfo& info) {
   return json;
 }
 
-std::string to_text(const PostPlace& place) {
+std::string to_text(const PostCoordinates& place) {
   char text[80];
   if (place.geographic) {
     std::snprintf(text, sizeof text, "%.6f, %.6f", place.geographic->latitude_deg,

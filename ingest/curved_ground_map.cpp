@@ -44,7 +44,7 @@ double leaves_square_m(const GroundSquare& square, const GroundLine& line) {
   return out_m;
 }
 
-double distance_from_grid(glm::dvec2 uv, glm::dvec2 last_post) {
+double off_grid(glm::dvec2 uv, glm::dvec2 last_post) {
   return glm::length(glm::max(glm::dvec2(0), glm::max(uv - last_post, -uv)));
 }
 
@@ -144,15 +144,14 @@ double CurvedGroundMap::end_inside(const GroundLine& line, double from_m, double
   }
 }
 
-double CurvedGroundMap::slack_cells(const GroundLine& line, double from_m, double to_m) const {
+double CurvedGroundMap::distance_from_grid(const GroundLine& line, double from_m,
+                                           double to_m) const {
   const glm::dvec2 start = to_grid(line.at(from_m));
   const glm::dvec2 end = to_grid(line.at(to_m));
-  // No point between is nearer, on a track as good as straight.
-  const double nearest_cells =
-      (distance_from_grid(start, last_post_) + distance_from_grid(end, last_post_) -
-       1.1 * glm::distance(start, end)) /
+  const double nearest =
+      (off_grid(start, last_post_) + off_grid(end, last_post_) - 1.1 * glm::distance(start, end)) /
       2;
-  return kDistantError * std::max(0.0, nearest_cells);
+  return std::max(0.0, nearest);
 }
 
 // Half the step until three points of the chord are near enough to the curve. No posts lie here.
@@ -171,8 +170,7 @@ double CurvedGroundMap::chord_excess(const GroundLine& line, double from_m, doub
   for (const double share : {0.25, 0.5, 0.75}) {
     const glm::dvec2 on_chord = glm::mix(start, end, share);
     const glm::dvec2 on_curve = to_grid(line.at(glm::mix(from_m, to_m, share)));
-    const double allowed =
-        kTrackError_cells + kDistantError * distance_from_grid(on_curve, last_post_);
+    const double allowed = kTrackError_cells + kDistantError * off_grid(on_curve, last_post_);
     excess = std::max(excess, glm::distance(on_chord, on_curve) - allowed);
   }
   return excess;

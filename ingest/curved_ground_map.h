@@ -25,8 +25,8 @@ class CurvedGroundMap final : public GroundMap {
   void jacobians(const GroundPoints& points, const Jacobians& found) const override;
   [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
                                    double limit_m) const override;
-  [[nodiscard]] double slack_cells(const GroundLine& line, double from_m,
-                                   double to_m) const override;
+  [[nodiscard]] double distance_from_grid(const GroundLine& line, double from_m,
+                                          double to_m) const override;
   [[nodiscard]] double reach_m() const override { return reach_m_; }
   [[nodiscard]] double reach_m(glm::dvec2 direction) const override;
 

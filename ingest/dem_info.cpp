@@ -23,8 +23,8 @@ class PostPlaces {
     crs_.emplace(dem.name, dem.crs_wkt, area);
   }
 
-  [[nodiscard]] PostPlace at(glm::dvec2 uv) const {
-    PostPlace place{placement_.at(uv), std::nullopt};
+  [[nodiscard]] PostCoordinates at(glm::dvec2 uv) const {
+    PostCoordinates place{placement_.at(uv), std::nullopt};
     if (!crs_) return place;
     glm::dvec2 point = place.xy;
     crs_->to_geographic({&point, 1});
@@ -33,8 +33,8 @@ class PostPlaces {
   }
 
   [[nodiscard]] double distance_m(glm::dvec2 uv, glm::dvec2 other_uv) const {
-    const PostPlace a = at(uv);
-    const PostPlace b = at(other_uv);
+    const PostCoordinates a = at(uv);
+    const PostCoordinates b = at(other_uv);
     if (!a.geographic) return glm::length(b.xy - a.xy);
     double metres = 0;
     GeographicLib::Geodesic::WGS84().Inverse(

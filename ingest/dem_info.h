@@ -15,13 +15,13 @@
 namespace terrview {
 
 // A post's place: in the DEM's own coordinates, and on the Earth where the DEM has a CRS.
-struct PostPlace {
+struct PostCoordinates {
   glm::dvec2 xy;
   std::optional<GeoPoint> geographic;
 };
 
 struct SummitPlace {
-  PostPlace place;
+  PostCoordinates place;
   float height_m;
 };
 
@@ -30,9 +30,9 @@ struct DemInfo {
   std::string crs_code;                   // as EPSG:32632; empty = none known
   std::optional<CrsOperation> operation;  // to WGS 84
   glm::dvec2 spacing_m;                   // of the posts in the middle, along rows and columns
-  PostPlace first_post;                   // the north-west one, unless the raster is rotated
-  PostPlace last_post;                    // the one across
-  PostPlace middle;
+  PostCoordinates first_post;             // the north-west one, unless the raster is rotated
+  PostCoordinates last_post;              // the one across
+  PostCoordinates middle;
   HeightRange range;
   std::vector<SummitPlace> summits;  // the highest, highest first (see ingest/summits.h)
 };

@@ -19,13 +19,7 @@ namespace HWY_NAMESPACE {
 struct VectorPoint {
   V x, y;
 };
-struct VectorSlopes {
-  V u_by_x, v_by_x, u_by_y, v_by_y;
-};
 
-VEC_INLINE VectorSlopes all_lanes(const glm::dmat2& slope) {
-  return {of(slope[0].x), of(slope[0].y), of(slope[1].x), of(slope[1].y)};
-}
 VEC_INLINE VectorSlopes multiply_add(const VectorSlopes& a, V b, const VectorSlopes& c) {
   return {a.u_by_x * b + c.u_by_x, a.v_by_x * b + c.v_by_x, a.u_by_y * b + c.u_by_y,
           a.v_by_y * b + c.v_by_y};

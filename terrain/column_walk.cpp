@@ -8,7 +8,7 @@
 namespace terrview {
 namespace {
 
-double z_of(const Terrain& terrain, const GroundLine& line, const Crossing& crossing) {
+double z_of(const Terrain& terrain, const GroundLine& line, const GridCrossing& crossing) {
   const VerticalFrame& frame = terrain.frame();
   return frame.at(line.at(crossing.g_m)).z_m(frame.z_scale * crossing.height_m);
 }

@@ -20,23 +20,17 @@ HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
 
-// The jacobian of a map, point by point.
-struct VectorSlopes {
-  V u_by_x, v_by_x, u_by_y, v_by_y;
-};
-
-// That of an affine map.
+// The jacobian of an affine map, one vector of hits after the other.
 class SameSlopes {
  public:
-  explicit SameSlopes(const glm::dmat2& jacobian)
-      : slopes_{of(jacobian[0].x), of(jacobian[0].y), of(jacobian[1].x), of(jacobian[1].y)} {}
+  explicit SameSlopes(const glm::dmat2& jacobian) : slopes_(all_lanes(jacobian)) {}
   VEC_INLINE VectorSlopes next() const { return slopes_; }
 
  private:
   VectorSlopes slopes_;
 };
 
-// Those of the vectors of rays that hold hits, one vector after the other.
+// Those of another map.
 class HitSlopes {
  public:
   HitSlopes(const GroundMap& map, const EyeRays& rays) {

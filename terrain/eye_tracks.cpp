@@ -19,6 +19,8 @@ constexpr std::size_t kMostKnots = 96;
 
 // What the table may add to the errors of a map, as a share of its limits.
 constexpr double kShareOfLimit = 0.1;
+// Where no post is near, tracks may stray by this share of the way to the nearest instead.
+constexpr double kDistantError = 0.05;
 
 }  // namespace
 
@@ -121,19 +123,24 @@ bool EyeTracks::is_close_to(const GroundMap& map) const {
       const double limit =
           kShareOfLimit * std::min(GroundMap::kTrackError_cells,
                                    GroundMap::kTrackError_rad * std::max(1.0, cells_per_rad));
-      if (!(error <= limit) && !(error <= slack_cells(map, sector, i))) return false;
+      if (!(error <= limit) && !(error <= kDistantError * distance_from_grid(map, sector, i)))
+        return false;
     }
   }
   return true;
 }
 
-double EyeTracks::slack_cells(const GroundMap& map, int sector, std::size_t knot) const {
+double EyeTracks::distance_from_grid(const GroundMap& map, int sector, std::size_t knot) const {
   const double from_m = knots_m_[knot - 1];
   const double to_m = knots_m_[std::min(knot + 1, knots_m_.size() - 1)];
+  const auto end = [&](double share) { return map.to_grid(edge(sector, share) * to_m); };
+  // Tracks between two of these are no further than half of this from one of them.
+  const double gap =
+      1.1 * std::max(glm::distance(end(0), end(0.5)), glm::distance(end(0.5), end(1)));
   double least = std::numeric_limits<double>::infinity();
   for (const double share : {0.0, 0.5, 1.0})
-    least = std::min(least, map.slack_cells({{0, 0}, edge(sector, share)}, from_m, to_m));
-  return least;
+    least = std::min(least, map.distance_from_grid({{0, 0}, edge(sector, share)}, from_m, to_m));
+  return least - gap / 2;
 }
 
 glm::dvec2 EyeTracks::edge(int sector, double share) const {

@@ -62,8 +62,9 @@ class EyeTracks {
   void fill(const GroundMap& map);
   void carry_back();
   [[nodiscard]] bool is_close_to(const GroundMap& map) const;
-  // What tracks of a sector may stray along the pieces beside a knot.
-  [[nodiscard]] double slack_cells(const GroundMap& map, int sector, std::size_t knot) const;
+  // No post is nearer to the tracks of a sector than this, in posts, along the pieces beside a
+  // knot.
+  [[nodiscard]] double distance_from_grid(const GroundMap& map, int sector, std::size_t knot) const;
   [[nodiscard]] std::vector<glm::dvec2> knots_along(const GroundMap& map,
                                                     glm::dvec2 direction) const;
   // The direction at a share of a sector.

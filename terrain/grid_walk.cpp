@@ -139,13 +139,13 @@ GridWalk::Event GridWalk::nearest_line() const {
   return event;
 }
 
-Crossing GridWalk::inside_point(double g_m, glm::dvec2 uv) const {
+GridCrossing GridWalk::inside_point(double g_m, glm::dvec2 uv) const {
   const double height_m =
       has_ground_ ? height_at(grid_, model_, cell_, uv) : std::numeric_limits<double>::quiet_NaN();
   return {g_m, uv, height_m};
 }
 
-Crossing GridWalk::crossing(const Event& event) const {
+GridCrossing GridWalk::crossing(const Event& event) const {
   const glm::dvec2 uv = glm::clamp(piece_.at(event.g_m), glm::dvec2(cell_), glm::dvec2(cell_ + 1));
   if (event.line == Line::column) {
     const int column = piece_.rate.x > 0 ? cell_.x + 1 : cell_.x;
@@ -195,7 +195,7 @@ void GridWalk::cross(Line line) {
   if (inside_) has_ground_ = grid_.has_ground(cell_.x, cell_.y);
 }
 
-void GridWalk::fill(Span& span, const Crossing& out) const {
+void GridWalk::fill(Span& span, const GridCrossing& out) const {
   span.in = last_;
   span.out = out;
   span.cell = first_cell_;
@@ -341,7 +341,7 @@ bool GridWalk::next(Span& span) {
         cell_ = cell_beyond(event.line);
         continue;
       }
-      const Crossing out = crossing(event);
+      const GridCrossing out = crossing(event);
       fill(span, out);
       cross(event.line);
       last_ = out;
@@ -351,7 +351,7 @@ bool GridWalk::next(Span& span) {
     const bool finished = piece_.end_m >= to_m_;
     const bool breaks_here = finished || model_ == SurfaceModel::bilinear;
     if (breaks_here) {
-      const Crossing knot = inside_point(
+      const GridCrossing knot = inside_point(
           piece_.end_m, glm::clamp(piece_.end, glm::dvec2(cell_), glm::dvec2(cell_ + 1)));
       fill(span, knot);
       last_ = knot;

@@ -20,7 +20,7 @@
 namespace terrview {
 
 // A point of the walk, on an edge of a cell or where the line begins or ends.
-struct Crossing {
+struct GridCrossing {
   double g_m;  // along the ground line
   glm::dvec2 uv;
   double height_m;  // of the grid's surface there; NaN beside a hole
@@ -28,8 +28,8 @@ struct Crossing {
 
 // The part of a ground line between two consecutive crossings.
 struct Span {
-  Crossing in;
-  Crossing out;
+  GridCrossing in;
+  GridCrossing out;
   glm::ivec2 cell;       // where it begins
   glm::ivec2 last_cell;  // where it ends: another in a band alone
   bool has_ground;       // false: a hole; the heights mean nothing
@@ -59,7 +59,7 @@ class GridWalk {
   [[nodiscard]] bool over_grid() { return inside_ || enter(); }
   [[nodiscard]] glm::ivec2 cell() const { return cell_; }
   [[nodiscard]] double position_m() const { return last_.g_m; }
-  [[nodiscard]] const Crossing& position() const { return last_; }
+  [[nodiscard]] const GridCrossing& position() const { return last_; }
   [[nodiscard]] const TrackPiece& piece() const { return piece_; }
 
   // Where the line leaves the block of 2^level x 2^level cells around cell().
@@ -117,9 +117,9 @@ class GridWalk {
   void begin_band(const Block& block, glm::ivec2 last_cell);
   void cross(Line line);
   void stop_outside();
-  [[nodiscard]] Crossing crossing(const Event& event) const;
-  [[nodiscard]] Crossing inside_point(double g_m, glm::dvec2 uv) const;
-  void fill(Span& span, const Crossing& out) const;
+  [[nodiscard]] GridCrossing crossing(const Event& event) const;
+  [[nodiscard]] GridCrossing inside_point(double g_m, glm::dvec2 uv) const;
+  void fill(Span& span, const GridCrossing& out) const;
 
   const HeightGrid& grid_;
   const GroundMap& map_;
@@ -134,7 +134,7 @@ class GridWalk {
   bool inside_ = false;
   bool has_ground_ = false;
   bool north_east_ = false;  // which triangle of the cell
-  Crossing last_{};
+  GridCrossing last_{};
 };
 
 }  // namespace terrview

@@ -51,10 +51,10 @@ class GroundMap {
   [[nodiscard]] virtual double piece_end_m(const GroundLine& line, double from_m,
                                            double limit_m) const = 0;
 
-  // How much further than kTrackError_cells tracks may stray all along a part of a line: some of
-  // the way to the nearest post where none is near.
-  [[nodiscard]] virtual double slack_cells(const GroundLine& /*line*/, double /*from_m*/,
-                                           double /*to_m*/) const {
+  // No post is nearer to the track of a part of a line than this, in posts, if the track is no more
+  // than a tenth longer than its chord.
+  [[nodiscard]] virtual double distance_from_grid(const GroundLine& /*line*/, double /*from_m*/,
+                                                  double /*to_m*/) const {
     return 0;
   }
 

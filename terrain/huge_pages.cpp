@@ -2,7 +2,6 @@
 
 #ifdef __linux__
 #include <sys/mman.h>
-#include <unistd.h>
 
 #include <cstdint>
 #endif
@@ -11,11 +10,11 @@ namespace terrview {
 
 void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
-  // Advice is given for whole pages alone, and failure costs nothing but time.
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  // Nothing less can be one, and failure costs nothing but time.
+  constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
   const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + page - 1) / page * page;
-  const std::uintptr_t last = (begin + bytes) / page * page;
+  const std::uintptr_t first = (begin + kHugePage - 1) / kHugePage * kHugePage;
+  const std::uintptr_t last = (begin + bytes) / kHugePage * kHugePage;
   if (first < last)
     static_cast<void>(madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE));
 #endif

@@ -11,7 +11,8 @@ namespace terrview {
 class SunMap;
 
 // Marches the rays of a set until each is decided or cannot be; `fates` are those of its indices.
-// With `sun`, the rays all run towards it, and end where they come to a cell that it shines on.
+// With `sun`, the rays all run towards it, and end where they come to a cell over which it knows
+// whether they are stopped.
 void march(const Terrain& terrain, const SunMap* sun, MarchSet& set,
            std::array<March, MarchSet::kMost>& fates, TraceCounts& counts);
 

@@ -1,4 +1,4 @@
-// Rays on their march over a grid: what terrain/march-inl.h works on.
+// Rays on their march over a grid: what terrain/march.cpp works on.
 #pragma once
 
 #include <array>

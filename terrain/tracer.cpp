@@ -164,7 +164,7 @@ class Tracer {
   }
 
   // How far the ray is above the surface at a crossing.
-  double clearance(const Crossing& crossing) {
+  double clearance(const GridCrossing& crossing) {
     const VerticalFrame& frame = terrain_.frame();
     return ray_z(crossing.g_m) -
            frame.at(line_.at(crossing.g_m)).z_m(frame.z_scale * crossing.height_m);

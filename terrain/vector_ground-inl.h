@@ -120,6 +120,14 @@ VEC_INLINE LinearRates rates_along(const VectorLine& line, const glm::dmat2& jac
           invertible(of(j[0][1]) * line.x + of(j[1][1]) * line.y)};
 }
 
+// Jacobians of maps.
+struct VectorSlopes {
+  V u_by_x, v_by_x, u_by_y, v_by_y;
+};
+VEC_INLINE VectorSlopes all_lanes(const glm::dmat2& jacobian) {
+  return {of(jacobian[0].x), of(jacobian[0].y), of(jacobian[1].x), of(jacobian[1].y)};
+}
+
 // The heights at the corners of cells.
 struct Corners {
   V nw, ne, sw, se;
@@ -245,7 +253,8 @@ class VectorGrid {
   }
 
   // Where the walk came into the cell in which `r` stands, through the edge last crossed. True: it
-  // did come into it, and not over the grid's border or at the piece's start.
+  // did come into it, and not over the grid's border or next to the piece's start, where by
+  // rounding the piece before may have crossed the edge too.
   VEC_INLINE M enter_cell(Registers& r, const Corners& corners) const {
     V column_line;
     V row_line;
@@ -269,7 +278,9 @@ class VectorGrid {
 
     const V line = hn::IfThenElse(over_column, column_line, row_line);
     const V last_line = hn::IfThenElse(over_column, columns_, rows_) - of(1);
-    return hn::And(hn::And(visited, r.g > r.begin), hn::And(line > of(0), line < last_line));
+    const V metres = hn::Abs(hn::IfThenElse(over_column, r.metres_u, r.metres_v));
+    const M on_piece = along > of(kStart_posts) * metres;
+    return hn::And(hn::And(visited, on_piece), hn::And(line > of(0), line < last_line));
   }
 
   VEC_INLINE V columns() const { return columns_; }
@@ -281,6 +292,9 @@ class VectorGrid {
   }
 
  private:
+  // Next to the start of a piece: far more than places are rounded by.
+  static constexpr double kStart_posts = 0x1p-16;
+
   // An edge of a cell: along a column of posts, or a row; the eastern one, the southern one.
   struct Edge {
     M over_column, east, south;

@@ -104,23 +104,26 @@ TEST(EyeRaysOverDegrees, DoSoWhereTheyFollowOthers) {
 // are not among them.
 TEST(EyeRaysOverDegrees, TakeHardlyMoreTestsThanOverAStraightGrid) {
   const GridCase grid = arc_seconds(kEyeShares[0]);
+  std::vector<double> knots_m;
   std::int64_t tests[2];
-  for (const EarthModel earth : {EarthModel::flat, EarthModel::curved}) {
+  for (const EarthModel earth : {EarthModel::curved, EarthModel::flat}) {
     const EyePlace eye{.geographic = {},
                        .projected = cases::placement(grid).at(cases::eye_uv(grid)),
                        .height_m = 3000,
                        .above_ground = false};
     const ViewFrame view({cases::dem(grid, 20)}, eye, {.earth = earth});
+    if (const EyeTracks* tracks = view.terrain()->layers()[0].map->eye_tracks())
+      knots_m = tracks->knots_m();
+    ASSERT_GT(knots_m.size(), 4U);
     const EyeFront front(*view.terrain(), {.wedge_rad = 0.003});
     const auto rays = std::make_unique<EyeRays>();
     rays->count = EyeRays::kMost;
     Random random(23);
     TraceCounts counts;
-    // Where the tracks' first knot is, and a little around.
     for (int batch = 0; batch < 20; ++batch) {
       for (std::size_t i = 0; i < rays->count; ++i) {
         const double azimuth_rad = random.uniform(-3.14, 3.14);
-        const double g_m = random.uniform(300, 600);
+        const double g_m = knots_m[1 + i % 3] + random.uniform(-150, 150);
         rays->aim(i, {g_m * std::sin(azimuth_rad), g_m * std::cos(azimuth_rad), -2990});
       }
       trace(front, *rays, counts);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <thread>
@@ -143,6 +144,33 @@ TEST_P(GroundMaps, KeepTracksWithinTheirPromise) {
   }
   EXPECT_LE(worst_cells, GroundMap::kTrackError_cells);
   EXPECT_LE(worst_rad, 1.1 * GroundMap::kTrackError_rad);
+}
+
+TEST_P(GroundMaps, KeepTheirDistanceFromTheGrid) {
+  constexpr int kSteps = 20;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 400; ++i) {
+    const double azimuth = 2 * std::numbers::pi * share(random);
+    const GroundLine line{{0, 0}, {std::sin(azimuth), std::cos(azimuth)}};
+    const double from_m = 0.5 * share(random) * map().reach_m();
+    const double to_m = from_m + 0.5 * share(random) * map().reach_m();
+    double length = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    const glm::dvec2 start = map().to_grid(line.at(from_m));
+    glm::dvec2 uv = start;
+    for (int j = 0; j <= kSteps; ++j) {
+      const glm::dvec2 next =
+          map().to_grid(line.at(glm::mix(from_m, to_m, static_cast<double>(j) / kSteps)));
+      length += glm::distance(uv, next);
+      uv = next;
+      nearest =
+          std::min(nearest, glm::length(glm::max(glm::dvec2(0), glm::max(uv - last_post(), -uv))));
+    }
+    if (length <= 1.1 * glm::distance(start, uv)) {
+      EXPECT_LE(map().distance_from_grid(line, from_m, to_m), nearest + 1e-3) << azimuth;
+    }
+  }
 }
 
 // Those of the table, where there is one; it adds little at the knots.
@@ -289,6 +317,31 @@ TEST(LayGrid, TabulatesTheTracksOfEyesOverItBesideItAndFarAway) {
         glm::dvec2(2.9, -1.7)}) {
     const auto laid = lay({"geo", "EPSG:4326", {6, 49}, 1.0 / 1200, {1201, 1201}, eye_share});
     EXPECT_NE(laid[0].map->eye_tracks(), nullptr) << eye_share.x << ", " << eye_share.y;
+  }
+}
+
+// From so far that such a grid lies between two directions of a coarse table.
+TEST(LayGrid, KeepsTracksToSmallGridsFarAwayWithinTheirPromise) {
+  const GridCase grids[] = {
+      {"a", "EPSG:4326", {6.5, 48.6}, 2.7e-5, {288, 288}, {175.1, 197.2}},
+      {"b", "EPSG:4326", {6.5, 48.6}, 1.018e-4, {110, 110}, {72.9, 228.1}},
+  };
+  std::mt19937_64 random(29);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const GridCase& grid : grids) {
+    const LaidGrid laid = lay(grid)[0];
+    const EyeTracks* tracks = laid.map->eye_tracks();
+    ASSERT_NE(tracks, nullptr);
+    const Oracle oracle(grid, cases::eye_point(grid, *cases::transform(grid)));
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec2 post = glm::dvec2(grid.posts - 1) * glm::dvec2(share(random), share(random));
+      const glm::dvec2 ground_m = laid.exact.to_ground(post);
+      const double g_m = glm::length(ground_m);
+      const TrackPiece piece = tracks->piece(ground_m / g_m, g_m, laid.map->reach_m());
+      EXPECT_LE(glm::distance(piece.at(g_m), oracle.to_grid(ground_m)),
+                GroundMap::kTrackError_cells)
+          << grid.name;
+    }
   }
 }
 

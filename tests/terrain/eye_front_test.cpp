@@ -101,7 +101,7 @@ int expect_bounds_along(const WholeFront& whole, glm::dvec2 direction) {
   const auto rings_m = whole.front().ring_m();
   const int wedge = whole.wedge_of(direction);
   GridWalk walk(*layer.grid, *layer.map, terrain.model(), line, 0, terrain.reach_m());
-  const auto z_of = [&](const Crossing& crossing) {
+  const auto z_of = [&](const GridCrossing& crossing) {
     return terrain.frame()
         .at(line.at(crossing.g_m))
         .z_m(terrain.frame().z_scale * crossing.height_m);

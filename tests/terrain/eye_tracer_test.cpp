@@ -5,10 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
+#include "terrain/eye_tracks.h"
 #include "tests/support/eye_rays.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/parabolic_map.h"
@@ -138,6 +142,85 @@ TEST(TraceEyeRays, HasThemOfAnEyeOnTheGround) {
     }
     expect_hits_of_single_rays(EyeFront(terrain, {}), directions);
   }
+}
+
+// An azimuth between two, to its last bit, at which a coordinate of the track's knot passes a whole
+// number; nullopt where there is none, or the knot is off the grid.
+std::optional<double> knot_on_a_line(const EyeTracks& tracks, std::size_t knot, int axis,
+                                     double from_rad, double to_rad, int posts) {
+  const auto cell = [&](double azimuth_rad) {
+    const glm::dvec2 direction(std::sin(azimuth_rad), std::cos(azimuth_rad));
+    const std::vector<double>& knots_m = tracks.knots_m();
+    return glm::floor(tracks.piece(direction, knots_m[knot - 1], knots_m[knot]).end);
+  };
+  const glm::dvec2 first = cell(from_rad);
+  if (cell(to_rad)[axis] == first[axis]) return std::nullopt;
+  if (glm::any(glm::lessThan(first, glm::dvec2(2))) ||
+      glm::any(glm::greaterThan(first, glm::dvec2(posts - 4))))
+    return std::nullopt;
+  while (true) {
+    const double middle_rad = (from_rad + to_rad) / 2;
+    if (middle_rad == from_rad || middle_rad == to_rad) return from_rad;
+    (cell(middle_rad)[axis] == first[axis] ? from_rad : to_rad) = middle_rad;
+  }
+}
+
+// There rounding decides on which piece of its track a ray leaves a cell. Floats do not serve the
+// wide grid.
+TEST(TraceEyeRays, HasThemWhereKnotsLieOnLinesOfPosts) {
+  constexpr int kPosts = 80;
+  constexpr double kEye_m = 100;
+  const auto map =
+      std::make_shared<const ParabolicGroundMap>(glm::dvec2(40.3, 41.7), 30.0, 1e-5, 3000.0);
+  const EyeTracks& tracks = *map->eye_tracks();
+  Random random(9);
+  std::vector<glm::dvec3> directions;
+  while (directions.size() < 20000) {
+    const auto knot = static_cast<std::size_t>(random.integer(1, tracks.pieces() - 1));
+    const double azimuth_rad = random.uniform(-3, 3);
+    const auto found =
+        knot_on_a_line(tracks, knot, random.integer(0, 1), azimuth_rad, azimuth_rad + 0.03, kPosts);
+    if (!found) continue;
+    for (int i = -4; i <= 4; ++i) {
+      const double near_rad = *found + i * 0x1p-52;
+      const double ground_m = tracks.knots_m()[knot] + random.uniform(-15, 15);
+      directions.emplace_back(std::sin(near_rad), std::cos(near_rad), -kEye_m / ground_m);
+    }
+  }
+  for (const int columns : {kPosts, 1 << 15}) {
+    const auto ground = std::make_shared<const HeightGrid>(
+        make_grid(columns, kPosts, [&](int, int) { return random.uniform(0, 1); }));
+    const Terrain terrain({{.grid = ground, .map = map}}, {.eye_height_m = kEye_m},
+                          SurfaceModel::hyperboloid);
+    ASSERT_TRUE(EyeFront::serves(terrain));
+    const EyeFront front(terrain, {.wedge_rad = 0.01});
+    under_every_instruction_set(
+        [&] { EXPECT_GT(expect_hits_of_single_rays(front, directions), 15000); });
+  }
+}
+
+// They come into the first cell along one piece of their track and meet its ground along the next.
+TEST(TraceEyeRays, HasThemWhereKnotsLieInCellsOfTheBorder) {
+  const auto map =
+      std::make_shared<const ParabolicGroundMap>(glm::dvec2(-14.3, 41.7), 30.0, 1e-5, 3000.0);
+  Random random(10);
+  const Terrain terrain({{.grid = std::make_shared<const HeightGrid>(
+                              make_grid(80, 80, [&](int, int) { return random.uniform(0, 1); })),
+                          .map = map}},
+                        {.eye_height_m = 100}, SurfaceModel::hyperboloid);
+  std::vector<glm::dvec3> directions;
+  int at_knot = 0;
+  while (directions.size() < 5000) {
+    const glm::dvec2 ground_m =
+        ground_at(*map, {random.uniform(0, 1), 41.7 + random.uniform(-30, 30)});
+    directions.emplace_back(ground_m, -100);
+    const double g_m = glm::length(ground_m);
+    const TrackPiece piece = map->eye_tracks()->piece(ground_m / g_m, g_m, 3000);
+    at_knot += piece.begin_m > 0 && piece.start.x > 0 && piece.start.x < 1 ? 1 : 0;
+  }
+  EXPECT_GT(at_knot, 100);
+  const EyeFront front(terrain, {.wedge_rad = 0.01});
+  EXPECT_GT(expect_hits_of_single_rays(front, directions), 4000);
 }
 
 TEST(TraceEyeRays, HasThemUnderEveryInstructionSet) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -27,6 +28,8 @@ TEST(EyeTracks, KeepWithinTheLimitOfTheMap) {
     EXPECT_GT(piece.end_m, g_m);
     EXPECT_LE(glm::distance(piece.at(g_m), map.to_grid(direction * g_m)),
               GroundMap::kTrackError_cells);
+    EXPECT_LE(std::max(std::abs(piece.rate.x), std::abs(piece.rate.y)),
+              map.eye_tracks()->posts_per_m());
   }
 }
 

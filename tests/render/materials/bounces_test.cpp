@@ -22,7 +22,7 @@ Thing target_at(const glm::dvec3& middle_m, double radius_m) {
 
 // A block whose top is z = 0.
 Thing floor_of(const Material& material) {
-  return {std::make_shared<Block>(glm::dvec3(-500, -500, -500), glm::dvec3(500, 500, 0)),
+  return {std::make_shared<AlignedBox>(glm::dvec3(-500, -500, -500), glm::dvec3(500, 500, 0)),
           {shared(material)}};
 }
 
@@ -35,8 +35,9 @@ TEST(Bounces, SeePixelsAsWideAsTheirWholeWayMakesThem) {
     return 1.0;
   });
   const auto wall = [&](double x_m) {
-    return Thing{std::make_shared<Block>(glm::dvec3(x_m - 1, -99, -99), glm::dvec3(x_m, 99, 99)),
-                 {shared(material)}};
+    return Thing{
+        std::make_shared<AlignedBox>(glm::dvec3(x_m - 1, -99, -99), glm::dvec3(x_m, 99, 99)),
+        {shared(material)}};
   };
   const Scene scene = studio({wall(-10), wall(11)});
   static_cast<void>(look_along(scene, {{0, 0, 0}, {1, 0, 0}}, {.rad = 0.01}));

@@ -16,8 +16,8 @@ constexpr double kRadians = std::numbers::pi / 180;
 const glm::vec3 kBody(0.8F, 0.5F, 0.25F);
 
 // A floor of 2 x 2 km whose top is z = 0.
-std::shared_ptr<const Block> floor_block() {
-  return std::make_shared<Block>(glm::dvec3(-1000, -1000, -5), glm::dvec3(1000, 1000, 0));
+std::shared_ptr<const AlignedBox> floor_block() {
+  return std::make_shared<AlignedBox>(glm::dvec3(-1000, -1000, -5), glm::dvec3(1000, 1000, 0));
 }
 
 // Straight down on (x, 0, 0).
@@ -201,9 +201,9 @@ TEST(Lamp, IsHiddenByObjectsAndGroundBeforeItAndByNothingBehind) {
 }
 
 TEST(Lamp, LightsGroundAndObjectsWithoutMaterial) {
-  Scene scene = studio(
-      {{std::make_shared<Block>(glm::dvec3(-50, 50, kGround_m), glm::dvec3(50, 60, kGround_m + 30)),
-        {}}});
+  Scene scene = studio({{std::make_shared<AlignedBox>(glm::dvec3(-50, 50, kGround_m),
+                                                      glm::dvec3(50, 60, kGround_m + 30)),
+                         {}}});
   scene.tints = {.stops = {{0, kBody}}};
   scene.light.ambient = glm::vec3(0);
   scene.lamps = {{.position_m = {0, 0, kGround_m + 10}, .intensity = 100}};

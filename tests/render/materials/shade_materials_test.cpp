@@ -21,13 +21,13 @@ Material mirror_of(double share) {
   return material;
 }
 
-std::shared_ptr<const Block> block(const glm::dvec3& lowest_m, const glm::dvec3& highest_m) {
-  return std::make_shared<Block>(lowest_m, highest_m);
+std::shared_ptr<const AlignedBox> block(const glm::dvec3& lowest_m, const glm::dvec3& highest_m) {
+  return std::make_shared<AlignedBox>(lowest_m, highest_m);
 }
 
 // Mirrors whose faces are x = 10 and x = -10.
-std::shared_ptr<const Block> east_block() { return block({10, -99, -99}, {11, 99, 99}); }
-std::shared_ptr<const Block> west_block() { return block({-11, -99, -99}, {-10, 99, 99}); }
+std::shared_ptr<const AlignedBox> east_block() { return block({10, -99, -99}, {11, 99, 99}); }
+std::shared_ptr<const AlignedBox> west_block() { return block({-11, -99, -99}, {-10, 99, 99}); }
 
 TEST(Mirror, OfAColouredWallShowsTheWallTimesItsIndex) {
   const Scene scene =

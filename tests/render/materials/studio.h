@@ -27,9 +27,9 @@ namespace terrview {
 inline constexpr double kGround_m = -1000;
 
 // A box with its sides along the axes, each face a part: -x, +x, -y, +y, -z, +z.
-class Block final : public Object {
+class AlignedBox final : public Object {
  public:
-  Block(const glm::dvec3& lowest_m, const glm::dvec3& highest_m) : box_{lowest_m, highest_m} {}
+  AlignedBox(const glm::dvec3& lowest_m, const glm::dvec3& highest_m) : box_{lowest_m, highest_m} {}
 
   [[nodiscard]] Box bounds() const override { return box_; }
   [[nodiscard]] std::optional<SurfaceHit> first_hit(const Ray& ray) const override {
