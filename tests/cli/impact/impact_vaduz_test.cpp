@@ -13,6 +13,7 @@
 #include "ingest/viewpoint_file.h"
 #include "tests/cli/small_view.h"
 #include "tests/cli/vaduz_house.h"
+#include "tests/support/sanitized.h"
 
 namespace terrview {
 namespace {
@@ -324,6 +325,7 @@ TEST(ImpactVaduz, TenViewpointsNumbersAreThoseOfBruteForce) {
   for (const Viewpoint& viewpoint :
        read_viewpoints(samples + "vaduz_viewpoints.geojson", dems.front()).viewpoints) {
     SCOPED_TRACE(viewpoint.name);
+    if (kSanitized && viewpoint.number % 4 != 1) continue;
     const View view = view_from(viewpoint, dems);
     const City city(view.frame, old, planned);
     const Numbers& whole = table.at({viewpoint.number, 0});
@@ -336,7 +338,7 @@ TEST(ImpactVaduz, TenViewpointsNumbersAreThoseOfBruteForce) {
     EXPECT_NEAR(whole.at("solid_angle_sr"), sum_sr, 0.015 * std::max(sum_sr, 1e-6));
     seeing += sum_sr > 0 ? 1 : 0;
   }
-  EXPECT_GE(seeing, 7);
+  EXPECT_GE(seeing, kSanitized ? 2 : 7);
   EXPECT_LT(seeing, 10);
 }
 

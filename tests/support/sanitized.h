@@ -1,0 +1,19 @@
+// Whether the program was compiled with sanitizers. It then takes some ten times as long, and tests
+// of many random scenes take fewer.
+#pragma once
+
+namespace terrview {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
+}  // namespace terrview
