@@ -1,20 +1,15 @@
 #include "cli/palette_picture.h"
 
-#include <cmath>
-
 #include "render/color_ramp.h"
 
 namespace terrview {
 namespace {
 
 std::vector<Rgb8> srgb_colors(const Image& image) {
-  const auto component = [](float linear) {
-    return static_cast<std::uint8_t>(std::lround(to_srgb(linear) * 255));
-  };
   std::vector<Rgb8> colors;
   colors.reserve(image.pixels().size());
   for (const glm::vec3& pixel : image.pixels())
-    colors.emplace_back(component(pixel.x), component(pixel.y), component(pixel.z));
+    colors.emplace_back(to_srgb8(pixel.x), to_srgb8(pixel.y), to_srgb8(pixel.z));
   return colors;
 }
 

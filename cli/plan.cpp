@@ -43,11 +43,8 @@ Raster<glm::u8vec4> colors_of(const PlanFrame& frame, int threads) {
   parallel_for(image.height_px(), threads, [&](int row) {
     for (int column = 0; column < image.width_px(); ++column) {
       if (frame.covered.at(column, row) == 0) continue;
-      const auto level = [](float linear) {
-        return static_cast<std::uint8_t>(std::lround(to_srgb(linear) * 255));
-      };
       const glm::vec3& color = image.at(column, row);
-      colors.at(column, row) = {level(color.x), level(color.y), level(color.z), 255};
+      colors.at(column, row) = {to_srgb8(color.x), to_srgb8(color.y), to_srgb8(color.z), 255};
     }
   });
   return colors;

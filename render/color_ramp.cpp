@@ -1,7 +1,11 @@
 #include "render/color_ramp.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include <glm/common.hpp>
 
@@ -12,6 +16,48 @@ float to_linear(float srgb) {
   return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
 }
 
+// By the upper half of a float's bits, the level at its lowest value; and the least value of every
+// level. Powers take ten times as long as looking up.
+class Levels {
+ public:
+  Levels() {
+    std::uint32_t bits = 0;
+    for (std::size_t level = 1; level < least_.size(); ++level) {
+      bits = least_bits(static_cast<long>(level), bits);
+      least_[level] = std::bit_cast<float>(bits);
+      std::fill(lowest_.begin() + (bits + kLowBits) / (kLowBits + 1), lowest_.end(),
+                static_cast<std::uint8_t>(level));
+    }
+  }
+
+  // Of a value from 0 to 1.
+  [[nodiscard]] std::uint8_t at(float x) const {
+    std::uint32_t level = lowest_[std::bit_cast<std::uint32_t>(x) >> 16];
+    while (level < 255 && x >= least_[level + 1]) ++level;
+    return static_cast<std::uint8_t>(level);
+  }
+
+ private:
+  static constexpr std::uint32_t kLowBits = 0xffff;
+  static constexpr auto kOne = std::bit_cast<std::uint32_t>(1.0F);
+
+  // The bits of the least float of a level; those of positive floats are in their order.
+  static std::uint32_t least_bits(long level, std::uint32_t from) {
+    std::uint32_t to = kOne;
+    while (from < to) {
+      const std::uint32_t middle = from + (to - from) / 2;
+      if (std::lround(to_srgb(std::bit_cast<float>(middle)) * 255) >= level)
+        to = middle;
+      else
+        from = middle + 1;
+    }
+    return to;
+  }
+
+  std::array<float, 256> least_{};
+  std::array<std::uint8_t, (kOne >> 16) + 1> lowest_{};
+};
+
 }  // namespace
 
 glm::vec3 from_srgb8(float red, float green, float blue) {
@@ -21,6 +67,13 @@ glm::vec3 from_srgb8(float red, float green, float blue) {
 float to_srgb(float linear) {
   const float x = std::clamp(linear, 0.0F, 1.0F);
   return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+}
+
+std::uint8_t to_srgb8(float linear) {
+  static const Levels levels;
+  // Also where it is not a number.
+  if (!(linear > 0)) return 0;
+  return levels.at(std::min(linear, 1.0F));
 }
 
 glm::vec3 ColorRamp::at(double height_m) const {

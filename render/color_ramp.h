@@ -1,6 +1,7 @@
 // Colours by altitude.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -31,6 +32,8 @@ struct ColorRamp {
 // sRGB 0-255 to linear Rec. 709, and a linear component to sRGB 0-1.
 [[nodiscard]] glm::vec3 from_srgb8(float red, float green, float blue);
 [[nodiscard]] float to_srgb(float linear);
+// The nearest of 0 to 255 to 255 * to_srgb(linear).
+[[nodiscard]] std::uint8_t to_srgb8(float linear);
 
 // Hypsometric tints by absolute altitude, from lowland green to snow.
 [[nodiscard]] const ColorRamp& altitude_tints();

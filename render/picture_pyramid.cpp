@@ -30,7 +30,7 @@ std::uint8_t rounded(float share) { return static_cast<std::uint8_t>(255 * share
 glm::u8vec4 stored(const glm::vec4& linear) {
   if (linear.a <= 0) return glm::u8vec4(0);
   const glm::vec3 color = glm::vec3(linear) / linear.a;
-  return {rounded(to_srgb(color.r)), rounded(to_srgb(color.g)), rounded(to_srgb(color.b)),
+  return {to_srgb8(color.r), to_srgb8(color.g), to_srgb8(color.b),
           rounded(std::min(linear.a, 1.0F))};
 }
 

@@ -1,7 +1,5 @@
 #include "cli/impact/picture_change.h"
 
-#include <cmath>
-
 #include "render/color_ramp.h"
 
 namespace terrview {
@@ -9,8 +7,8 @@ namespace {
 
 bool same_bytes(const glm::vec3& a, const glm::vec3& b) {
   if (a == b) return true;
-  const auto level = [](float linear) { return std::lround(to_srgb(linear) * 255); };
-  return level(a.x) == level(b.x) && level(a.y) == level(b.y) && level(a.z) == level(b.z);
+  return to_srgb8(a.x) == to_srgb8(b.x) && to_srgb8(a.y) == to_srgb8(b.y) &&
+         to_srgb8(a.z) == to_srgb8(b.z);
 }
 
 int horizon_row(const Raster<PixelSample>& samples, int column) {

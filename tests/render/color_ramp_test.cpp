@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace terrview {
 namespace {
@@ -88,6 +91,28 @@ TEST(Srgb, FollowsIec61966) {
 TEST(Srgb, ClampsWhatNoFileHolds) {
   EXPECT_EQ(to_srgb(-3), 0);
   EXPECT_FLOAT_EQ(to_srgb(7), 1);
+}
+
+// Floats all over, and all those around the steps from one byte to the next.
+TEST(Srgb, HasTheNearestByteOfEveryFloat) {
+  const auto expect_nearest = [](float linear) {
+    ASSERT_EQ(to_srgb8(linear), std::lround(to_srgb(linear) * 255)) << linear;
+  };
+  constexpr auto kTwo = std::bit_cast<std::uint32_t>(2.0F);
+  for (std::uint32_t bits = 0; bits < kTwo; bits += 997) expect_nearest(std::bit_cast<float>(bits));
+  for (int byte = 1; byte < 256; ++byte) {
+    const float between = static_cast<float>(byte) - 0.5F;
+    const auto near = std::bit_cast<std::uint32_t>(from_srgb8(between, 0, 0).x);
+    for (std::uint32_t bits = near - 200; bits < near + 200; ++bits)
+      expect_nearest(std::bit_cast<float>(bits));
+  }
+}
+
+TEST(Srgb, HasAByteForWhatNoFileHolds) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  for (const float dark : {0.0F, -0.0F, -1.0F, -kInfinite, std::nanf("")})
+    EXPECT_EQ(to_srgb8(dark), 0);
+  for (const float bright : {1.0F, 1.5F, kInfinite}) EXPECT_EQ(to_srgb8(bright), 255);
 }
 
 TEST(AltitudeTints, RiseFromGreenLowlandToSnow) {
