@@ -22,10 +22,10 @@ struct alignas(64) GridPoints {
   };
 
   std::size_t count = 0;
-  alignas(64) Doubles x_m, y_m;  // view frame
-  alignas(64) Doubles height;    // in the grid's unit
-  alignas(64) Doubles u, v;      // from the cell's first post, in posts
-  alignas(64) Ints column, row;  // of the cell
+  alignas(64) Doubles x_m, y_m, z_m;  // view frame
+  alignas(64) Doubles height;         // in the grid's unit
+  alignas(64) Doubles u, v;           // in posts; once looked up, from the cell's first post
+  alignas(64) Ints column, row;       // of the cell
   // What a map of the sun says of them: 1 = shaded.
   alignas(64) std::array<std::uint8_t, kMost> shaded;
   List unknown;  // those of which it does not

@@ -30,11 +30,12 @@ VEC_INLINE std::uint32_t lanes_from(std::size_t first, std::size_t count) {
   return (1U << std::min(hn::Lanes(D()), count - first)) - 1;
 }
 
-// Looks points up in a map, lane by lane as SunMap::at() does; places as the map of the ground has
-// them.
+// Looks points up in a map, lane by lane as SunMap::at() does. Where the map of the ground is
+// linear it finds their places; else these are given.
 void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
-  const glm::dmat2 j = *terrain.layers()[0].map->linear();
+  const glm::dmat2* jacobian = terrain.layers()[0].map->linear();
   const glm::dvec2 eye_uv = terrain.layers()[0].map->to_grid({0, 0});
+  const VectorFrame frame(terrain.frame());
   const SunMap::Codes& codes = map.codes();
   const V last_column = of(terrain.layers()[0].grid->columns - 2);
   const V last_row = of(terrain.layers()[0].grid->rows - 2);
@@ -44,8 +45,16 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(D())) {
     const V x = hn::Load(D(), points.x_m.data() + i);
     const V y = hn::Load(D(), points.y_m.data() + i);
-    const V u = of(eye_uv.x) + (of(j[0][0]) * x + of(j[1][0]) * y);
-    const V v = of(eye_uv.y) + (of(j[0][1]) * x + of(j[1][1]) * y);
+    V u;
+    V v;
+    if (jacobian) {
+      const glm::dmat2& j = *jacobian;
+      u = of(eye_uv.x) + (of(j[0][0]) * x + of(j[1][0]) * y);
+      v = of(eye_uv.y) + (of(j[0][1]) * x + of(j[1][1]) * y);
+    } else {
+      u = hn::Load(D(), points.u.data() + i);
+      v = hn::Load(D(), points.v.data() + i);
+    }
     const V column = hn::Floor(u);
     const V row = hn::Floor(v);
     const V in_column = u - column;
@@ -53,7 +62,8 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
     const V least = hn::Min(in_column, in_row);
     const V most = hn::Max(in_column, in_row);
     M sure = hn::And(least > of(SunMap::kBorder), most < of(1 - SunMap::kBorder));
-    const V height = hn::Load(D(), points.height.data() + i);
+    const V z = hn::Load(D(), points.z_m.data() + i);
+    const V height = frame.height(x, y, z, frame.curvature(x, y));
     sure = hn::And(sure, height >= of(codes.low));
     sure = hn::And(sure, hn::And(hn::Min(column, row) >= of(0),
                                  hn::And(column <= last_column, row <= last_row)));
@@ -88,6 +98,7 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
       auto& list = (sure_bits >> lane & 1) != 0 ? points.unknown : points.nowhere;
       list.add(i + lane);
     }
+    hn::Store(height, D(), points.height.data() + i);
     hn::Store(in_column, D(), points.u.data() + i);
     hn::Store(in_row, D(), points.v.data() + i);
     hn::Store(hn::DemoteTo(ints, column), ints, points.column.data() + i);
@@ -106,28 +117,24 @@ HWY_EXPORT(look_up);
 
 namespace {
 
-// Rays that all go alike: over a linear map on a flat Earth.
-class ParallelRays {
+// Points a few at a time; what the map does not know of them, together.
+class Shading {
  public:
-  ParallelRays(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
-               std::span<std::uint8_t> shaded, TraceCounts& counts)
+  Shading(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
+          std::span<std::uint8_t> shaded, TraceCounts& counts)
       : terrain_(terrain),
         map_(map),
         points_m_(points_m),
         shaded_(shaded),
         counts_(counts),
+        is_parallel_(terrain.frame().is_flat() && terrain.layers()[0].map->linear()),
         can_march_(within_vector_limits(terrain) && terrain.layers()[0].ceilings) {
-    if (can_march_) aim();
+    if (is_parallel_ && can_march_) aim();
   }
 
   void run() {
     for (std::size_t first = 0; first < points_m_.size(); first += GridPoints::kMost) {
-      points_.count = std::min(GridPoints::kMost, points_m_.size() - first);
-      for (std::size_t i = 0; i < points_.count; ++i) {
-        points_.x_m[i] = points_m_[first + i].x;
-        points_.y_m[i] = points_m_[first + i].y;
-        points_.height[i] = height(points_m_[first + i]);
-      }
+      take(first);
       HWY_DYNAMIC_DISPATCH(look_up)(terrain_, map_, points_);
       std::copy_n(points_.shaded.begin(), points_.count,
                   shaded_.begin() + static_cast<std::ptrdiff_t>(first));
@@ -137,10 +144,27 @@ class ParallelRays {
         find_out(first, static_cast<std::size_t>(i));
     }
     march_waiting();
+    trace_apart();
   }
 
  private:
-  // What all rays share.
+  void take(std::size_t first) {
+    const GroundMap& ground = *terrain_.layers()[0].map;
+    const bool are_found_later = ground.linear() != nullptr;
+    points_.count = std::min(GridPoints::kMost, points_m_.size() - first);
+    for (std::size_t i = 0; i < points_.count; ++i) {
+      const glm::dvec3& point_m = points_m_[first + i];
+      points_.x_m[i] = point_m.x;
+      points_.y_m[i] = point_m.y;
+      points_.z_m[i] = point_m.z;
+      if (are_found_later) continue;
+      const glm::dvec2 uv = ground.to_grid(glm::dvec2(point_m));
+      points_.u[i] = uv.x;
+      points_.v[i] = uv.y;
+    }
+  }
+
+  // What parallel rays share.
   void aim() {
     const glm::dvec3 to_sun = map_.to_sun();
     const glm::dvec2 line = glm::dvec2(to_sun) / glm::length(glm::dvec2(to_sun));
@@ -161,19 +185,21 @@ class ParallelRays {
     set_.g.fill(0);
   }
 
-  [[nodiscard]] double height(const glm::dvec3& point_m) const {
-    return (point_m.z + terrain_.frame().eye_height_m) / terrain_.frame().z_scale;
-  }
-
   void find_out(std::size_t first, std::size_t i) {
-    if (can_march_)
+    if (!is_parallel_)
+      apart_.push_back(first + i);
+    else if (can_march_)
       wait(first + i, i);
     else
       ask(first + i);
   }
 
+  [[nodiscard]] Ray ray_from(std::size_t point) const {
+    return {points_m_[point], direction_at(terrain_.frame(), points_m_[point], map_.to_sun())};
+  }
+
   void ask(std::size_t point) {
-    shaded_[point] = terrain_.occluded({points_m_[point], map_.to_sun()}, &counts_) ? 1 : 0;
+    shaded_[point] = terrain_.occluded(ray_from(point), &counts_) ? 1 : 0;
   }
 
   void wait(std::size_t point, std::size_t i) {
@@ -193,6 +219,7 @@ class ParallelRays {
 
   void march_waiting() {
     const std::size_t count = set_.count;
+    if (count == 0) return;
     fates_.fill(March::on_its_way);
     march(terrain_, &map_, set_, fates_, counts_);
     for (std::size_t slot = 0; slot < count; ++slot) {
@@ -204,53 +231,43 @@ class ParallelRays {
     set_.count = 0;
   }
 
+  void trace_apart() {
+    std::vector<Ray> rays;
+    rays.reserve(apart_.size());
+    for (const std::size_t point : apart_) rays.push_back(ray_from(point));
+    std::vector<std::uint8_t> stopped(rays.size());
+    occluded(terrain_, rays, stopped, counts_, &map_);
+    for (std::size_t i = 0; i < apart_.size(); ++i) shaded_[apart_[i]] = stopped[i];
+  }
+
   const Terrain& terrain_;
   const SunMap& map_;
   std::span<const glm::dvec3> points_m_;
   std::span<std::uint8_t> shaded_;
   TraceCounts& counts_;
+  bool is_parallel_;  // rays, all in one direction, over a map that is linear
   bool can_march_;
   double climb_ = 0;  // over a post
   GridPoints points_;
+  // Rays that wait to march, if parallel, or to be traced, if not.
   MarchSet set_;
   std::array<std::size_t, MarchSet::kMost> waiting_;
   std::array<March, MarchSet::kMost> fates_;
+  std::vector<std::size_t> apart_;
 };
-
-// Rays each of which has its own direction and track.
-void shaded_apart(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
-                  std::span<std::uint8_t> shaded, TraceCounts& counts) {
-  const TerrainLayer& layer = terrain.layers()[0];
-  std::vector<std::size_t> unknown;
-  std::vector<Ray> rays;
-  for (std::size_t i = 0; i < points_m.size(); ++i) {
-    const glm::dvec2 ground_m(points_m[i]);
-    const double height =
-        terrain.frame().at(ground_m).scene_height_m(points_m[i].z) / terrain.frame().z_scale;
-    const Sunlight known = map.at(layer.map->to_grid(ground_m), height);
-    shaded[i] = known == Sunlight::shaded ? 1 : 0;
-    if (known != Sunlight::unknown) continue;
-    const Ray ray{points_m[i], direction_at(terrain.frame(), points_m[i], map.to_sun())};
-    if (height < map.codes().low) {
-      shaded[i] = terrain.occluded(ray, &counts) ? 1 : 0;
-    } else {
-      unknown.push_back(i);
-      rays.push_back(ray);
-    }
-  }
-  std::vector<std::uint8_t> stopped(rays.size());
-  occluded(terrain, rays, stopped, counts, &map);
-  for (std::size_t i = 0; i < unknown.size(); ++i) shaded[unknown[i]] = stopped[i];
-}
 
 }  // namespace
 
 void shaded(const Terrain& terrain, const SunMap& map, std::span<const glm::dvec3> points_m,
             std::span<std::uint8_t> shaded, TraceCounts& counts) {
-  if (terrain.frame().is_flat() && terrain.layers()[0].map->linear())
-    ParallelRays(terrain, map, points_m, shaded, counts).run();
-  else
-    shaded_apart(terrain, map, points_m, shaded, counts);
+  if (within_series_limit(terrain)) {
+    Shading(terrain, map, points_m, shaded, counts).run();
+    return;
+  }
+  for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const Ray ray{points_m[i], direction_at(terrain.frame(), points_m[i], map.to_sun())};
+    shaded[i] = terrain.occluded(ray, &counts) ? 1 : 0;
+  }
 }
 
 }  // namespace terrview

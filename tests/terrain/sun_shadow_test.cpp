@@ -13,6 +13,7 @@
 
 #include "terrain/occlusion.h"
 #include "terrain/sun_map.h"
+#include "terrain/vector_limits.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
@@ -75,6 +76,25 @@ TEST(SunShadow, IsSoFarAwayOnACurvedEarth) {
   EXPECT_EQ(seen.suns, 12);
   EXPECT_GT(seen.lit, 2 * seen.unknown);
   EXPECT_GT(seen.shaded, 100);
+}
+
+// Further than the vectors' series of the round Earth reach.
+TEST(SunShadow, IsSoAThousandKilometresAway) {
+  Random random(8);
+  Seen seen;
+  const HeightGrid grid = make_grid(60, 60, [&](int, int) { return random.uniform(0, 3000); });
+  const auto map = std::make_shared<const AffineGroundMap>(
+      glm::dvec2(30.3, 29.6), glm::dmat2(4e-5, 0, 0, -4e-5), glm::ivec2(60, 60));
+  const Terrain terrain({{.grid = std::make_shared<const HeightGrid>(grid), .map = map}},
+                        {.eye_height_m = 5000,
+                         .north_curvature_per_m = kEarth_per_m,
+                         .east_curvature_per_m = kEarth_per_m},
+                        SurfaceModel::hyperboloid);
+  ASSERT_FALSE(within_series_limit(terrain));
+  for (const double elevation_rad : {0.5, 0.8, 1.2})
+    expect_shadows_of_single_rays(terrain, sun_at(random.uniform(0, 6.3), elevation_rad),
+                                  ground_under(terrain, random, 1000), seen);
+  EXPECT_EQ(seen.suns, 3);
 }
 
 TEST(SunShadow, IsSoUnderEveryInstructionSetWithTheSameMap) {
