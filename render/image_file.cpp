@@ -116,8 +116,8 @@ OIIO::ImageSpec image_spec(glm::ivec2 size_px, const std::string& format,
   OIIO::ImageSpec spec(size_px.x, size_px.y, 3, linear ? OIIO::TypeFloat : OIIO::TypeUInt8);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
   if (format == "png") {
-    // Landscapes come out a tenth smaller in less than half the time than by libpng's choice of
-    // filters at level 6.
+    // Landscapes come out 2 to 10 % smaller, in less than half the time, than by libpng's choice of
+    // filters at level 6; pictures of hardly anything half as large again.
     spec.attribute("png:filter", kPngFilterSub);
     spec.attribute("png:compressionLevel", 5);
   }
