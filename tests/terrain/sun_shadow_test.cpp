@@ -14,6 +14,7 @@
 #include "terrain/occlusion.h"
 #include "terrain/sun_map.h"
 #include "terrain/vector_limits.h"
+#include "terrain/view_transform.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
@@ -83,19 +84,27 @@ TEST(SunShadow, IsSoFarAwayOnACurvedEarth) {
 TEST(SunShadow, IsSoAThousandKilometresAway) {
   Random random(8);
   Seen seen;
-  const HeightGrid grid = make_grid(60, 60, [&](int, int) { return random.uniform(0, 3000); });
+  const HeightGrid grid = make_grid(60, 60, [&](int, int) { return random.uniform(0, 60000); });
   const auto map = std::make_shared<const AffineGroundMap>(
       glm::dvec2(30.3, 29.6), glm::dmat2(4e-5, 0, 0, -4e-5), glm::ivec2(60, 60));
   const Terrain terrain({{.grid = std::make_shared<const HeightGrid>(grid), .map = map}},
-                        {.eye_height_m = 5000,
+                        {.eye_height_m = 70000,
                          .north_curvature_per_m = kEarth_per_m,
                          .east_curvature_per_m = kEarth_per_m},
                         SurfaceModel::hyperboloid);
   ASSERT_FALSE(within_series_limit(terrain));
   const std::vector<Hit> hits = ground_under(terrain, random, 1000);
-  for (const double azimuth_rad : {0.5, 2.5, 4.5})
-    expect_shadows_of_single_rays(terrain, sun_at(azimuth_rad, 0.9), hits, seen);
+  int stopped = 0;
+  for (const double azimuth_rad : {0.5, 2.5, 4.5}) {
+    const glm::dvec3 to_sun = sun_at(azimuth_rad, 0.8);
+    expect_shadows_of_single_rays(terrain, to_sun, hits, seen);
+    for (const Hit& hit : hits) {
+      const glm::dvec3 direction = direction_at(terrain.frame(), hit.position_m, to_sun);
+      stopped += terrain.occluded({terrain.leave(hit, direction).origin_m, direction}) ? 1 : 0;
+    }
+  }
   EXPECT_EQ(seen.suns, 3);
+  EXPECT_GT(stopped, 300);
 }
 
 TEST(SunShadow, IsSoUnderEveryInstructionSetWithTheSameMap) {
