@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "ingest/patch_jacobians.h"
+#include "ingest/patch_vectors.h"
 
 namespace terrview {
 namespace {
@@ -108,6 +108,10 @@ glm::dmat2 CurvedGroundMap::jacobian(glm::dvec2 ground_m) const {
   return patches_.leaf_at(point).patch.jacobian(point);
 }
 
+void CurvedGroundMap::places(const GroundPoints& points, const Places& found) const {
+  patch_places(patches_, disc_, centre_uv_, points, found);
+}
+
 void CurvedGroundMap::jacobians(const GroundPoints& points, const Jacobians& found) const {
   patch_jacobians(patches_, disc_, points, found);
 }
@@ -128,6 +132,17 @@ double CurvedGroundMap::piece_end_m(const GroundLine& line, double from_m, doubl
     end_m =
         end_outside(line, from_m, chord.in_m > from_m ? std::min(limit_m, chord.in_m) : limit_m);
   return std::min(limit_m, std::max(end_m, from_m + least_m));
+}
+
+void CurvedGroundMap::piece_ends_m(const GroundLines& lines, const Stretches& stretches,
+                                   std::span<double> ends_m) const {
+  const PieceRules rules{piece_error_cells_, kDistantError, kLeastPiece * disc_.radius_m,
+                         kAtTheEye_m};
+  patch_piece_ends(patches_, disc_, rules, lines, stretches, ends_m);
+  for (std::size_t i = 0; i < ends_m.size(); ++i)
+    if (std::isnan(ends_m[i]))
+      ends_m[i] = piece_end_m({{lines.x0_m[i], lines.y0_m[i]}, {lines.x[i], lines.y[i]}},
+                              stretches.from_m[i], stretches.limit_m[i]);
 }
 
 double CurvedGroundMap::end_inside(const GroundLine& line, double from_m, double limit_m) const {

@@ -22,9 +22,12 @@ class CurvedGroundMap final : public GroundMap {
 
   [[nodiscard]] glm::dvec2 to_grid(glm::dvec2 ground_m) const override;
   [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const override;
+  void places(const GroundPoints& points, const Places& found) const override;
   void jacobians(const GroundPoints& points, const Jacobians& found) const override;
   [[nodiscard]] double piece_end_m(const GroundLine& line, double from_m,
                                    double limit_m) const override;
+  void piece_ends_m(const GroundLines& lines, const Stretches& stretches,
+                    std::span<double> ends_m) const override;
   [[nodiscard]] double distance_from_grid(const GroundLine& line, double from_m,
                                           double to_m) const override;
   [[nodiscard]] double reach_m() const override { return reach_m_; }

@@ -35,15 +35,26 @@ class GroundPatch {
   [[nodiscard]] glm::dvec2 at(glm::dvec2 ground_m) const;
   [[nodiscard]] glm::dmat2 jacobian(glm::dvec2 ground_m) const;
 
-  // What jacobian() is made of: a polynomial in the point's share of the square, terms of x^i y^j,
-  // i + j < kDegree, by i, then j.
+  // What at() and jacobian() are made of: polynomials in the point's share of the square, terms of
+  // x^i y^j, i + j <= kDegree, and < kDegree, by i, then j.
+  using Terms = std::array<glm::dvec2, kNodes*(kNodes + 1) / 2>;
   using SlopeTerms = std::array<glm::dmat2, kDegree*(kDegree + 1) / 2>;
+  [[nodiscard]] const Terms& terms() const { return terms_; }
   [[nodiscard]] const SlopeTerms& slope_terms() const { return slope_terms_; }
   [[nodiscard]] double shares_per_m() const { return per_half_m_; }
 
   // How much a line of a direction can bend on the square: bounds of |u''| and |v''| per metre
   // squared.
   [[nodiscard]] glm::dvec2 bend(glm::dvec2 direction) const;
+
+  // What bend() is made of: one of (u_xx, u_xy, u_yy) and of v, per metre squared, at the centre,
+  // and how far it strays from that.
+  struct SecondDerivative {
+    glm::dvec3 u;
+    glm::dvec3 v;
+  };
+  [[nodiscard]] const SecondDerivative& central() const { return central_; }
+  [[nodiscard]] const SecondDerivative& spread() const { return spread_; }
 
   // Metres of ground that one step of u, of v, is worth at the centre, and the metres of an error
   // of that many steps in u and v, whatever their signs.
@@ -53,19 +64,12 @@ class GroundPatch {
   [[nodiscard]] const GroundSquare& square() const { return square_; }
 
  private:
-  static constexpr int kTerms = kNodes * (kNodes + 1) / 2;
-  // One of (u_xx, u_xy, u_yy) and of v: its value at the centre, and how far it strays from that.
-  struct SecondDerivative {
-    glm::dvec3 u;
-    glm::dvec3 v;
-  };
-
   void find_slopes();
   void find_bounds();
 
   GroundSquare square_;
   double per_half_m_;
-  std::array<glm::dvec2, kTerms> terms_;  // of x^i y^j, i + j <= kDegree, by i, then j
+  Terms terms_;
   SlopeTerms slope_terms_;
   SecondDerivative central_{};
   SecondDerivative spread_{};

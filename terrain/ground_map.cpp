@@ -11,6 +11,14 @@
 
 namespace terrview {
 
+void GroundMap::places(const GroundPoints& points, const Places& found) const {
+  for (std::size_t i = 0; i < points.x_m.size(); ++i) {
+    const glm::dvec2 uv = to_grid({points.x_m[i], points.y_m[i]});
+    found.u[i] = uv.x;
+    found.v[i] = uv.y;
+  }
+}
+
 void GroundMap::jacobians(const GroundPoints& points, const Jacobians& found) const {
   for (std::size_t i = 0; i < points.x_m.size(); ++i) {
     const glm::dmat2 one = jacobian({points.x_m[i], points.y_m[i]});
@@ -19,6 +27,13 @@ void GroundMap::jacobians(const GroundPoints& points, const Jacobians& found) co
     found.u_by_y[i] = one[1].x;
     found.v_by_y[i] = one[1].y;
   }
+}
+
+void GroundMap::piece_ends_m(const GroundLines& lines, const Stretches& stretches,
+                             std::span<double> ends_m) const {
+  for (std::size_t i = 0; i < ends_m.size(); ++i)
+    ends_m[i] = piece_end_m({{lines.x0_m[i], lines.y0_m[i]}, {lines.x[i], lines.y[i]}},
+                            stretches.from_m[i], stretches.limit_m[i]);
 }
 
 AffineGroundMap::AffineGroundMap(glm::dvec2 eye_uv, const glm::dmat2& jacobian,

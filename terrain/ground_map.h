@@ -41,15 +41,30 @@ class GroundMap {
   struct GroundPoints {
     std::span<const double> x_m, y_m;
   };
+  struct Places {
+    std::span<double> u, v;
+  };
   struct Jacobians {
     std::span<double> u_by_x, v_by_x, u_by_y, v_by_y;
   };
+  virtual void places(const GroundPoints& points, const Places& found) const;
   virtual void jacobians(const GroundPoints& points, const Jacobians& found) const;
 
   // How far along `line` the linear piece that starts at `from_m` may reach, in (from_m, limit_m].
   // Deterministic: it depends on its arguments alone.
   [[nodiscard]] virtual double piece_end_m(const GroundLine& line, double from_m,
                                            double limit_m) const = 0;
+
+  // Those of many lines, bit for bit.
+  struct GroundLines {
+    std::span<const double> x0_m, y0_m;  // where they begin
+    std::span<const double> x, y;        // of unit length
+  };
+  struct Stretches {
+    std::span<const double> from_m, limit_m;
+  };
+  virtual void piece_ends_m(const GroundLines& lines, const Stretches& stretches,
+                            std::span<double> ends_m) const;
 
   // No post is nearer to the track of a part of a line than this, in posts, if the track is no more
   // than a tenth longer than its chord.

@@ -32,8 +32,7 @@ class Marcher {
   using VI = hn::Vec<I>;
   using MF = hn::Mask<F>;
 
-  Marcher(const Terrain& terrain, const SunMap* sun, MarchSet& set,
-          std::array<March, MarchSet::kMost>& fates)
+  Marcher(const Terrain& terrain, const SunMap* sun, MarchSet& set, Fates& fates)
       : grid_(*terrain.layers()[0].grid),
         ceilings_(*terrain.layers()[0].ceilings),
         highest_m_(ceilings_.level(ceilings_.last_level()).highest_m[0]),
@@ -331,13 +330,13 @@ class Marcher {
   bool leaves_once_;
   const SunMap* sun_;
   MarchSet& set_;
-  std::array<March, MarchSet::kMost>& fates_;
+  Fates& fates_;
   std::int64_t tests_ = 0;
   std::int64_t nodes_ = 0;
 };
 
-void march_to_end(const Terrain& terrain, const SunMap* sun, MarchSet& set,
-                  std::array<March, MarchSet::kMost>& fates, TraceCounts& counts) {
+void march_to_end(const Terrain& terrain, const SunMap* sun, MarchSet& set, Fates& fates,
+                  TraceCounts& counts) {
   Marcher(terrain, sun, set, fates).run(counts);
 }
 
@@ -350,8 +349,8 @@ namespace terrview {
 
 HWY_EXPORT(march_to_end);
 
-void march(const Terrain& terrain, const SunMap* sun, MarchSet& set,
-           std::array<March, MarchSet::kMost>& fates, TraceCounts& counts) {
+void march(const Terrain& terrain, const SunMap* sun, MarchSet& set, Fates& fates,
+           TraceCounts& counts) {
   HWY_DYNAMIC_DISPATCH(march_to_end)(terrain, sun, set, fates, counts);
 }
 

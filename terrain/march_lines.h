@@ -5,42 +5,21 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "terrain/ground_map.h"
 #include "terrain/march_set.h"
 #include "terrain/ray.h"
-#include "terrain/track_piece.h"
 
 namespace terrview {
 
 struct alignas(64) MarchLines {
   using Doubles = std::array<double, MarchSet::kMost>;
 
-  struct Heights {
-    double z0_m;
-    double slope;
-  };
-
   std::size_t count = 0;
   MarchSet::Ints index;            // of the ray
   alignas(64) Doubles x0, y0, z0;  // where the ray begins
   alignas(64) Doubles x, y, slope;
   alignas(64) Doubles begin, end, start_u, start_v, rate_u, rate_v, metres_u, metres_v;
-  Doubles end_u, end_v;
-  Doubles to;  // where the line ends
-
-  void add(std::size_t ray, const GroundLine& line, const Heights& heights, const TrackPiece& piece,
-           double to_m) {
-    const std::size_t i = count++;
-    index[i] = static_cast<std::int32_t>(ray);
-    x0[i] = line.origin_m.x;
-    y0[i] = line.origin_m.y;
-    z0[i] = heights.z0_m;
-    x[i] = line.direction.x;
-    y[i] = line.direction.y;
-    slope[i] = heights.slope;
-    to[i] = to_m;
-    put(i, piece);
-  }
+  alignas(64) Doubles end_u, end_v;
+  alignas(64) Doubles to;  // where the line ends
 
   // A ray whose line is still to be laid: x, y and slope are its direction.
   void aim(std::size_t ray, const Ray& from) {
@@ -54,14 +33,6 @@ struct alignas(64) MarchLines {
     slope[i] = from.direction.z;
     to[i] = from.length_m;
   }
-
-  void put(std::size_t i, const TrackPiece& piece) {
-    put_piece(*this, i, piece);
-    end_u[i] = piece.end.x;
-    end_v[i] = piece.end.y;
-  }
-
-  [[nodiscard]] GroundLine line(std::size_t i) const { return {{x0[i], y0[i]}, {x[i], y[i]}}; }
 
   void move(std::size_t from, std::size_t to_place) {
     if (from == to_place) return;

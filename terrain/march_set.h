@@ -44,4 +44,7 @@ enum class March : std::uint8_t {
   at_knot,  // its track goes on with another piece
 };
 
+// Of rays by number.
+using Fates = std::array<March, MarchSet::kMost>;
+
 }  // namespace terrview

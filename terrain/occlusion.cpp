@@ -5,17 +5,19 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 #include "terrain/march.h"
+#include "terrain/march_lines-inl.h"
 #include "terrain/march_lines.h"
 #include "terrain/march_set.h"
+#include "terrain/march_tracks.h"
 #include "terrain/occlusion.h"
 #include "terrain/tracer.h"
-#include "terrain/track_piece.h"
 #include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_limits.h"
@@ -25,14 +27,14 @@ namespace terrview {
 namespace HWY_NAMESPACE {
 
 // Lines of doubles to sets of floats, eight at a time.
-class MarchStart {
+class MarchStart : LineLanes {
  public:
   MarchStart(const Terrain& terrain, MarchLines& lines, MarchSet& set)
-      : terrain_(terrain),
+      : LineLanes(lines),
+        terrain_(terrain),
         frame_(terrain.frame()),
         posts_(*terrain.layers()[0].grid),
         bend_(bend_of(terrain)),
-        lines_(lines),
         set_(set) {}
 
   void run() {
@@ -42,49 +44,9 @@ class MarchStart {
     }
   }
 
-  // Lines whose directions are given, of any length, over a grid whose map is linear: they are one
-  // piece.
-  void lay_straight(std::array<March, MarchSet::kMost>& fates) {
-    const TerrainLayer& layer = terrain_.layers()[0];
-    const glm::dmat2 j = *layer.map->linear();
-    const glm::dvec2 eye_uv = layer.map->to_grid({0, 0});
-    const V last_column = of(layer.grid->columns - 1);
-    const V last_row = of(layer.grid->rows - 1);
-    for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
-      const V across_x = get(lines_.x, i);
-      const V across_y = get(lines_.y, i);
-      const V across2 = across_x * across_x + across_y * across_y;
-      const V up = get(lines_.slope, i);
-      const VectorLine line = line_under(across_x, across_y, up);
-      keep(lines_.x, i, line.x);
-      keep(lines_.y, i, line.y);
-      keep(lines_.slope, i, line.slope);
-      const V x0 = get(lines_.x0, i);
-      const V y0 = get(lines_.y0, i);
-      const V u = of(eye_uv.x) + (of(j[0][0]) * x0 + of(j[1][0]) * y0);
-      const V v = of(eye_uv.y) + (of(j[0][1]) * x0 + of(j[1][1]) * y0);
-      keep(lines_.start_u, i, u);
-      keep(lines_.start_v, i, v);
-      const LinearRates rates = rates_along(line, j);
-      keep(lines_.rate_u, i, rates.u.rate);
-      keep(lines_.rate_v, i, rates.v.rate);
-      keep(lines_.metres_u, i, rates.u.metres);
-      keep(lines_.metres_v, i, rates.v.metres);
-      keep(lines_.begin, i, of(0));
-      keep(lines_.end, i, hn::Inf(D()));
-      // As is_vertical(), or nearly: those near it go the sure way. NaN too.
-      const M slanted = across2 > of(4e-24) * up * up;
-      const M over_grid =
-          hn::And(hn::And(u >= of(0), u <= last_column), hn::And(v >= of(0), v <= last_row));
-      const M endless = get(lines_.to, i) == hn::Inf(D());
-      const M known = hn::And(hn::And(slanted, endless), over_grid);
-      mark(i, ~bits_of(known) & lanes_from(i), March::undecided, fates);
-    }
-  }
-
   // Lanes that begin below the ground, as the single ray finds it; the others begin at the
   // beginning of their line.
-  void check_starts(std::array<March, MarchSet::kMost>& fates) const {
+  void check_starts(Fates& fates) const {
     for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
       const V clearance = start_clearance(i);
       const std::uint32_t lanes = lanes_from(i);
@@ -95,15 +57,6 @@ class MarchStart {
   }
 
  private:
-  VEC_INLINE V get(const MarchLines::Doubles& values, std::size_t first) const {
-    return hn::Load(D(), values.data() + first);
-  }
-  VEC_INLINE void keep(MarchLines::Doubles& values, std::size_t first, V value) const {
-    hn::Store(value, D(), values.data() + first);
-  }
-  VEC_INLINE std::uint32_t lanes_from(std::size_t first) const {
-    return (1U << std::min(hn::Lanes(D()), lines_.count - first)) - 1;
-  }
   VEC_INLINE void put(MarchSet::Floats& values, std::size_t first, V value) const {
     const hn::Rebind<float, D> floats;
     hn::Store(hn::DemoteTo(floats, value), floats, values.data() + first);
@@ -111,13 +64,6 @@ class MarchStart {
   VEC_INLINE void put(MarchSet::Ints& values, std::size_t first, V value) const {
     const hn::Rebind<std::int32_t, D> ints;
     hn::Store(hn::DemoteTo(ints, value), ints, values.data() + first);
-  }
-
-  void mark(std::size_t first, std::uint32_t lanes, March fate,
-            std::array<March, MarchSet::kMost>& fates) const {
-    for (; lanes != 0; lanes &= lanes - 1)
-      fates[static_cast<std::size_t>(
-          lines_.index[first + static_cast<std::size_t>(__builtin_ctz(lanes))])] = fate;
   }
 
   VEC_INLINE V cell(V uv, int posts) const {
@@ -220,17 +166,10 @@ class MarchStart {
   VectorFrame frame_;
   VectorPosts posts_;
   VerticalFrame::Bend bend_;
-  MarchLines& lines_;
   MarchSet& set_;
 };
 
-void lay_straight(const Terrain& terrain, MarchLines& lines, MarchSet& set,
-                  std::array<March, MarchSet::kMost>& fates) {
-  MarchStart(terrain, lines, set).lay_straight(fates);
-}
-
-void check_starts(const Terrain& terrain, MarchLines& lines, MarchSet& set,
-                  std::array<March, MarchSet::kMost>& fates) {
+void check_starts(const Terrain& terrain, MarchLines& lines, MarchSet& set, Fates& fates) {
   MarchStart(terrain, lines, set).check_starts(fates);
 }
 
@@ -245,7 +184,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace terrview {
 
-HWY_EXPORT(lay_straight);
 HWY_EXPORT(check_starts);
 HWY_EXPORT(put_in_set);
 
@@ -278,35 +216,23 @@ class Batch {
   }
 
  private:
-  [[nodiscard]] bool covers(glm::dvec2 uv) const {
-    const HeightGrid& grid = *terrain_.layers()[0].grid;
-    return uv.x >= 0 && uv.y >= 0 && uv.x <= grid.columns - 1 && uv.y <= grid.rows - 1;
-  }
-
   void begin() {
+    for (std::size_t i = 0; i < rays_.size(); ++i) lines_.aim(i, rays_[i]);
     if (terrain_.layers()[0].map->linear()) {
-      for (std::size_t i = 0; i < rays_.size(); ++i) lines_.aim(i, rays_[i]);
-      HWY_DYNAMIC_DISPATCH(lay_straight)(terrain_, lines_, set_, fates_);
+      lay_straight(terrain_, lines_, fates_);
       take_waiting();
-    } else {
-      for (std::size_t i = 0; i < rays_.size(); ++i) lay_bent(i);
+      return;
     }
+    lay_lines(terrain_, lines_, fates_);
+    take_waiting();
+    terrain_.layers()[0].map->places({all(lines_.x0), all(lines_.y0)},
+                                     {all(lines_.start_u), all(lines_.start_v)});
+    lay_pieces(terrain_, lines_, fates_);
+    take_waiting();
   }
 
-  void lay_bent(std::size_t i) {
-    const GroundMap& map = *terrain_.layers()[0].map;
-    const Ray& ray = rays_[i];
-    fates_[i] = March::undecided;
-    if (is_vertical(ray)) return;
-    const GroundLine line = ground_line(ray);
-    const double slope = ray_slope(ray);
-    const double to_m =
-        std::min(leaves_disc_m(line, terrain_.reach_m()), ray.length_m / metres_per_g(slope));
-    if (!(to_m > 0)) return;
-    const TrackPiece piece = track_piece(map, line, 0, map.to_grid(line.at(0)), to_m);
-    if (!covers(piece.start)) return;
-    fates_[i] = March::on_its_way;
-    lines_.add(i, line, {ray.origin_m.z, slope}, piece, to_m);
+  [[nodiscard]] std::span<double> all(MarchLines::Doubles& values) const {
+    return {values.data(), lines_.count};
   }
 
   // Packs the lines that are on their way, for a march. False: there are none.
@@ -322,18 +248,17 @@ class Batch {
 
   // Their tracks' next pieces for rays that stand at a knot.
   void go_on_from_knots() {
-    const GroundMap& map = *terrain_.layers()[0].map;
     for (std::size_t i = 0; i < lines_.count; ++i) {
       March& fate = fates_[static_cast<std::size_t>(lines_.index[i])];
       if (fate != March::at_knot) continue;
-      fate = March::undecided;
-      if (lines_.end[i] >= lines_.to[i]) continue;
-      const TrackPiece piece = track_piece(map, lines_.line(i), lines_.end[i],
-                                           {lines_.end_u[i], lines_.end_v[i]}, lines_.to[i]);
-      if (!covers(piece.start)) continue;
-      lines_.put(i, piece);
-      fate = March::on_its_way;
+      fate = lines_.end[i] < lines_.to[i] ? March::on_its_way : March::undecided;
     }
+    if (!take_waiting()) return;
+    for (const auto& [from, to] :
+         {std::pair(&lines_.end, &lines_.begin), std::pair(&lines_.end_u, &lines_.start_u),
+          std::pair(&lines_.end_v, &lines_.start_v)})
+      std::copy_n(from->begin(), lines_.count, to->begin());
+    lay_pieces(terrain_, lines_, fates_);
   }
 
   const Terrain& terrain_;
@@ -341,7 +266,7 @@ class Batch {
   std::span<const Ray> rays_;
   MarchLines lines_;
   MarchSet set_;
-  std::array<March, MarchSet::kMost> fates_;
+  Fates fates_;
 };
 
 }  // namespace

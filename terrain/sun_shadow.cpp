@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "terrain/grid_points.h"
@@ -149,19 +150,17 @@ class Shading {
 
  private:
   void take(std::size_t first) {
-    const GroundMap& ground = *terrain_.layers()[0].map;
-    const bool are_found_later = ground.linear() != nullptr;
     points_.count = std::min(GridPoints::kMost, points_m_.size() - first);
     for (std::size_t i = 0; i < points_.count; ++i) {
       const glm::dvec3& point_m = points_m_[first + i];
       points_.x_m[i] = point_m.x;
       points_.y_m[i] = point_m.y;
       points_.z_m[i] = point_m.z;
-      if (are_found_later) continue;
-      const glm::dvec2 uv = ground.to_grid(glm::dvec2(point_m));
-      points_.u[i] = uv.x;
-      points_.v[i] = uv.y;
     }
+    const GroundMap& ground = *terrain_.layers()[0].map;
+    const auto all = [this](auto& values) { return std::span(values.data(), points_.count); };
+    if (!ground.linear())
+      ground.places({all(points_.x_m), all(points_.y_m)}, {all(points_.u), all(points_.v)});
   }
 
   // What parallel rays share.
@@ -232,9 +231,14 @@ class Shading {
   }
 
   void trace_apart() {
+    std::vector<glm::dvec3> from_m;
+    from_m.reserve(apart_.size());
+    for (const std::size_t point : apart_) from_m.push_back(points_m_[point]);
+    std::vector<glm::dvec3> directions(from_m.size());
+    directions_at(terrain_.frame(), from_m, map_.to_sun(), directions);
     std::vector<Ray> rays;
-    rays.reserve(apart_.size());
-    for (const std::size_t point : apart_) rays.push_back(ray_from(point));
+    rays.reserve(from_m.size());
+    for (std::size_t i = 0; i < from_m.size(); ++i) rays.push_back({from_m[i], directions[i]});
     std::vector<std::uint8_t> stopped(rays.size());
     occluded(terrain_, rays, stopped, counts_, &map_);
     for (std::size_t i = 0; i < apart_.size(); ++i) shaded_[apart_[i]] = stopped[i];
@@ -252,7 +256,7 @@ class Shading {
   // Rays that wait to march, if parallel, or to be traced, if not.
   MarchSet set_;
   std::array<std::size_t, MarchSet::kMost> waiting_;
-  std::array<March, MarchSet::kMost> fates_;
+  Fates fates_;
   std::vector<std::size_t> apart_;
 };
 

@@ -202,7 +202,9 @@ class StripSweep {
     const VF none = of(-kInfinity);
     const bool is_near_eye = near_eye(line, 0, kCells);
     for (std::size_t i = 0; i < kCells; i += kLanes) {
-      const VF rise = is_near_eye && near_eye(line, i, kLanes) ? none : rise_anywhere;
+      const VF rise = is_near_eye && near_eye(line, i, kLanes)
+                          ? hn::IfThenElse(cells_near_eye(line, i), none, rise_anywhere)
+                          : rise_anywhere;
       const VF nw = hn::LoadU(F(), north + i);
       const VF ne = hn::LoadU(F(), north + i + 1);
       const VF sw = hn::LoadU(F(), south + i);
@@ -237,6 +239,14 @@ class StripSweep {
   [[nodiscard]] bool near_eye(int line, std::size_t i, std::size_t cells) const {
     const int x = track_.x(line) - kSunHalo + static_cast<int>(i);
     return field_.is_near_eye({x, line}, {x + static_cast<int>(cells), line + 1});
+  }
+
+  // Which cells from cell i on are.
+  [[nodiscard]] MF cells_near_eye(int line, std::size_t i) const {
+    alignas(64) std::array<float, kLanes> is_near;
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      is_near[lane] = near_eye(line, i + lane, 1) ? 1 : 0;
+    return hn::Load(F(), is_near.data()) > of(0);
   }
 
   static VEC_INLINE VF height_or_none(VF post) {

@@ -1,22 +1,13 @@
 #include "terrain/vertical_frame.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include "terrain/vertical_math.h"
 
 namespace terrview {
 namespace {
-
-// Horner's rule, the order of operations that every form of the series shares.
-double series(const std::array<double, 6>& coefficients, double x) {
-  double sum = coefficients[5];
-  for (std::size_t i = 5; i-- > 0;) sum = coefficients[i] + x * sum;
-  return sum;
-}
 
 // tan(gamma / 2) / gamma, a function of gamma^2.
 double half_tangent(double gamma2) {

@@ -5,15 +5,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "terrain/vertical_math.h"
+
 namespace terrview {
 namespace {
-
-// Nearer to the plumb line of the eye, derivatives take their limit: the quotients lose digits.
-constexpr double kPlumb_m = 1e-3;
-
-bool is_flat(const VerticalFrame& frame) {
-  return frame.north_curvature_per_m == 0 && frame.east_curvature_per_m == 0;
-}
 
 // Euler's formula, for the azimuth of (x, y).
 double curvature_towards(const VerticalFrame& frame, glm::dvec2 ground) {
@@ -24,22 +19,32 @@ double curvature_towards(const VerticalFrame& frame, glm::dvec2 ground) {
          s2;
 }
 
+// sin(gamma) / gamma and cos(gamma).
+struct Arc {
+  double sinc;
+  double cosine;
+};
+Arc arc(double gamma) {
+  const double gamma2 = gamma * gamma;
+  if (gamma2 <= kSeriesLimit) return {series(kSinc, gamma2), series(kCosine, gamma2)};
+  return {std::sin(gamma) / gamma, std::cos(gamma)};
+}
+
 }  // namespace
 
 glm::dvec3 to_true_enu(const VerticalFrame& frame, const glm::dvec3& view_m) {
-  if (is_flat(frame)) return view_m;
+  if (frame.is_flat()) return view_m;
   const double curvature = curvature_towards(frame, glm::dvec2(view_m));
   const double s = glm::length(glm::dvec2(view_m));
-  const double gamma = s * curvature;
-  const double sinc = gamma > 0 ? std::sin(gamma) / gamma : 1;
+  const auto [sinc, cosine] = arc(s * curvature);
   const double z = view_m.z - frame.refraction * curvature * s * s / 2;
   const double scale =
-      (1 + curvature * frame.eye_height_m) * sinc / (std::cos(gamma) - curvature * z * sinc);
+      (1 + curvature * frame.eye_height_m) * sinc / (cosine - curvature * z * sinc);
   return scale * glm::dvec3(view_m.x, view_m.y, z);
 }
 
 glm::dvec3 from_true_enu(const VerticalFrame& frame, const glm::dvec3& enu_m) {
-  if (is_flat(frame)) return enu_m;
+  if (frame.is_flat()) return enu_m;
   const double curvature = curvature_towards(frame, glm::dvec2(enu_m));
   const double rho = glm::length(glm::dvec2(enu_m));
   const double up = 1 + curvature * (frame.eye_height_m + enu_m.z);  // over R, from the centre
@@ -51,12 +56,12 @@ glm::dvec3 from_true_enu(const VerticalFrame& frame, const glm::dvec3& enu_m) {
 
 glm::dvec3 direction_at(const VerticalFrame& frame, const glm::dvec3& view_m,
                         const glm::dvec3& true_direction) {
-  if (is_flat(frame)) return true_direction;
+  if (frame.is_flat()) return true_direction;
   const glm::dvec3 enu = to_true_enu(frame, view_m);
   const double curvature = curvature_towards(frame, glm::dvec2(enu));
   const double rho = glm::length(glm::dvec2(enu));
   const double up = 1 + curvature * (frame.eye_height_m + enu.z);
-  if (rho < kPlumb_m) {
+  if (rho < kPlumbLine_m) {
     const double rise = true_direction.z * (1 + curvature * frame.eye_height_m) / up;
     return glm::normalize(glm::dvec3(true_direction.x, true_direction.y, rise));
   }

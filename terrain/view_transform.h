@@ -10,6 +10,8 @@
 // lines are bent a little by the view frame: direction_at() gives their direction at a point.
 #pragma once
 
+#include <span>
+
 #include <glm/vec3.hpp>
 
 #include "terrain/vertical_frame.h"
@@ -26,6 +28,14 @@ namespace terrview {
 // the eye's height over R.
 [[nodiscard]] glm::dvec3 direction_at(const VerticalFrame& frame, const glm::dvec3& view_m,
                                       const glm::dvec3& true_direction);
+
+// Those at many points, bit for bit.
+void directions_at(const VerticalFrame& frame, std::span<const glm::dvec3> view_m,
+                   const glm::dvec3& true_direction, std::span<glm::dvec3> directions);
+
+// Nearer to the plumb line of the eye the derivatives that make a direction take their limit: their
+// quotients lose digits.
+inline constexpr double kPlumbLine_m = 1e-3;
 
 // The same true direction in the local frame of Terrain::facet_normal() at `view_m`: x and y along
 // the view frame's axes, z along the plumb line there.

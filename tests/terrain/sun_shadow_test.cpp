@@ -123,6 +123,38 @@ TEST(SunShadow, IsSoUnderEveryInstructionSetWithTheSameMap) {
   for (const auto& map : maps) EXPECT_EQ(map, maps[0]);
 }
 
+// Below the eye the curvature of the Earth turns with the azimuth.
+TEST(SunShadow, IsKnownAFewPostsFromThePointBelowTheEye) {
+  constexpr int kPosts = 101;
+  const glm::dvec2 eye_uv(50.3, 49.6);
+  const auto grid = std::make_shared<const HeightGrid>(
+      make_grid(kPosts, kPosts, [](int, int) { return 1500.0F; }));
+  const auto ground = std::make_shared<const AffineGroundMap>(eye_uv, glm::dmat2(0.01, 0, 0, -0.01),
+                                                              glm::ivec2(kPosts));
+  const Terrain terrain({{grid, ground}},
+                        {.eye_height_m = 2500,
+                         .north_curvature_per_m = 1.003 * kEarth_per_m,
+                         .east_curvature_per_m = 0.997 * kEarth_per_m},
+                        SurfaceModel::hyperboloid);
+  std::vector<std::vector<std::uint32_t>> maps;
+  under_every_instruction_set([&] {
+    const auto map = SunMap::make(terrain, sun_at(2, 0.35));
+    ASSERT_TRUE(map);
+    maps.emplace_back(map->words(), map->words() + map->bytes() / sizeof(std::uint32_t));
+    for (int row = 1; row < kPosts - 2; ++row) {
+      for (int column = 1; column < kPosts - 2; ++column) {
+        const glm::dvec2 uv = glm::dvec2(column, row) + 0.5;
+        const bool is_far = glm::distance(uv, eye_uv) > 6;
+        if (is_far) {
+          EXPECT_EQ(map->at(uv, 1500), Sunlight::lit) << column << ", " << row;
+        }
+      }
+    }
+    EXPECT_EQ(map->at({50.5, 49.5}, 1500), Sunlight::unknown);
+  });
+  for (const auto& map : maps) EXPECT_EQ(map, maps[0]);
+}
+
 TEST(SunShadow, HasTheSameMapInWhateverOrderItsPartsAreMade) {
   const Terrain terrain = wide_hills(1100, {.eye_height_m = 500});
   const glm::dvec3 to_sun = sun_at(4, 0.2);

@@ -4,11 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include <glm/geometric.hpp>
+
+#include "tests/support/instruction_sets.h"
 
 namespace terrview {
 namespace {
@@ -137,6 +141,33 @@ TEST(ViewTransform, KeepsDirectionsAboveAndBelowTheEye) {
     EXPECT_LT(glm::distance(direction_at(frame, p, sun),
                             direction_at(frame, glm::dvec3(0, 0, -3000), sun)),
               1e-6);
+  }
+}
+
+TEST(ViewTransform, TurnsManyDirectionsAsItTurnsOne) {
+  const VerticalFrame ellipsoid{.eye_height_m = 2500,
+                                .north_curvature_per_m = 1 / 6.36e6,
+                                .east_curvature_per_m = 1 / 6.39e6,
+                                .refraction = 0.13};
+  const glm::dvec3 sun = glm::normalize(glm::dvec3(-0.7, 0.2, 0.4));
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> share(-1, 1);
+  // Below the eye and beside its plumb line, and from metres to beyond the series.
+  std::vector<glm::dvec3> points{{0, 0, 0}, {0, 0, -900}, {5e-4, 0, 20}, {0, -2e-3, 20}};
+  for (int i = 0; i < 999; ++i) {
+    const double reach_m = std::pow(10, 3 + 3 * share(random));
+    const double x_m = reach_m * share(random);
+    const double y_m = reach_m * share(random);
+    points.emplace_back(x_m, y_m, 4e3 * share(random));
+  }
+  for (const VerticalFrame& frame : {ellipsoid, VerticalFrame{.eye_height_m = 100}}) {
+    std::vector<glm::dvec3> directions(points.size());
+    under_every_instruction_set([&] {
+      std::fill(directions.begin(), directions.end(), glm::dvec3(0));
+      directions_at(frame, points, sun, directions);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        ASSERT_EQ(directions[i], direction_at(frame, points[i], sun)) << points[i].x;
+    });
   }
 }
 
