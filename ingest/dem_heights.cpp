@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include <gdal_priv.h>
@@ -67,9 +68,57 @@ class Converter {
     return static_cast<float>(height);
   }
 
+  // The same of posts side by side, in the order of the file; false, with nothing done, where one
+  // of them needs a second look.
+  bool convert_plain(std::span<const double> numbers, std::span<float> posts, Tally& tally) const {
+    constexpr std::size_t kChains = 4;  // that do not wait for each other
+    std::array<Range, kChains> chains;
+    std::size_t first = 0;
+    for (; first + kChains <= numbers.size(); first += kChains)
+      for (std::size_t k = 0; k < kChains; ++k) chains[k].add(numbers[first + k]);
+    for (; first < numbers.size(); ++first) chains[0].add(numbers[first]);
+    Range range;
+    for (const Range& chain : chains) {
+      range.lowest = std::min(range.lowest, chain.lowest);
+      range.highest = std::max(range.highest, chain.highest);
+    }
+    if (!(range.lowest > kLeastPlain && range.highest < kMostPlain)) return false;
+    if (conversion_.nodata && range.holds(*conversion_.nodata)) return false;
+    const double ends[] = {height_m(range.lowest), height_m(range.highest)};
+    if (!(std::max(std::abs(ends[0]), std::abs(ends[1])) < kHighest_m)) return false;
+    tally.lowest_m = std::min({tally.lowest_m, ends[0], ends[1]});
+    tally.highest_m = std::max({tally.highest_m, ends[0], ends[1]});
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto height = static_cast<float>(height_m(numbers[i]));
+      posts[i] = std::isnan(posts[i]) ? height : posts[i];
+    }
+    return true;
+  }
+
  private:
+  // NaN, which becomes no height, is left out.
+  struct Range {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+
+    void add(double number) {
+      lowest = std::min(lowest, number);
+      highest = std::max(highest, number);
+    }
+
+    [[nodiscard]] bool holds(double number) const {
+      const auto rounded = static_cast<float>(number);
+      return (number >= lowest && number <= highest) ||
+             (rounded >= static_cast<float>(lowest) && rounded <= static_cast<float>(highest));
+    }
+  };
+
+  // No number in between is one of kUsualNodata.
+  static constexpr double kLeastPlain = -9999;
+  static constexpr double kMostPlain = 32767;
+
   [[nodiscard]] bool count_suspect(double number, Tally& tally) const {
-    if (conversion_.nodata_given || (number > -9999 && number < 32767)) return false;
+    if (conversion_.nodata_given || (number > kLeastPlain && number < kMostPlain)) return false;
     const auto* found = std::find(kUsualNodata.begin(), kUsualNodata.end(), number);
     if (found == kUsualNodata.end()) return false;
     ++tally.suspects[static_cast<std::size_t>(found - kUsualNodata.begin())];
@@ -87,7 +136,7 @@ int whole_blocks(int fit, int block, int all) {
 // Windows that follow the file's blocks, so that each block is decoded once; a block too large to
 // be had at once is taken in slices.
 std::vector<PostWindow> block_windows(GDALRasterBand& band, const PostWindow& part) {
-  constexpr int kPostsAtOnce = 1 << 21;
+  constexpr int kPostsAtOnce = 1 << 17;  // whose numbers stay in the processor's cache
   int block_width = 1;
   int block_height = 1;
   band.GetBlockSize(&block_width, &block_height);
@@ -131,6 +180,12 @@ class BlockReader {
     read_band(*source_.band().GetMaskBand(), window, mask_.data(), GDT_Byte);
   }
 
+  // Those from `index` on; empty where the file has a mask.
+  [[nodiscard]] std::span<const double> numbers(std::size_t index, int count) const {
+    if (masked_) return {};
+    return std::span(numbers_).subspan(index, static_cast<std::size_t>(count));
+  }
+
   [[nodiscard]] double number(std::size_t index) const {
     return masked_ && mask_[index] == 0 ? std::numeric_limits<double>::quiet_NaN()
                                         : numbers_[index];
@@ -158,6 +213,12 @@ class BlockReader {
 class Destination {
  public:
   Destination(const HeightTarget& target, HeightGrid& grid) : target_(target), grid_(grid) {}
+
+  // The posts for those of a row; empty where they lie the other way round.
+  [[nodiscard]] std::span<float> posts(int column, int row, int count) const {
+    if (target_.flip_columns) return {};
+    return {&at(column, row), static_cast<std::size_t>(count)};
+  }
 
   float& at(int column, int row) const {
     const PostWindow& w = target_.window;
@@ -228,6 +289,12 @@ std::vector<std::string> read_heights(DemSource& source, const HeightTarget& tar
     block.read(window);
     std::size_t index = 0;
     for (int row = window[1]; row < window[1] + window[3]; ++row) {
+      const auto numbers = block.numbers(index, window[2]);
+      const auto posts = destination.posts(window[0], row, window[2]);
+      if (numbers.size() == posts.size() && converter.convert_plain(numbers, posts, tally)) {
+        index += numbers.size();
+        continue;
+      }
       for (int column = window[0]; column < window[0] + window[2]; ++column, ++index) {
         float& post = destination.at(column, row);
         const float height = converter.convert(block.number(index), {column, row}, tally);

@@ -28,11 +28,20 @@ float mean_of_four(const HeightGrid& grid, int column, int row) {
 
 HeightGrid coarser(const HeightGrid& grid) {
   HeightGrid coarse{(grid.columns + 1) / 2, (grid.rows + 1) / 2, {}};
-  coarse.heights_m.reserve(static_cast<std::size_t>(coarse.columns) *
-                           static_cast<std::size_t>(coarse.rows));
+  const auto width = static_cast<std::size_t>(grid.columns);
+  const auto coarse_width = static_cast<std::size_t>(coarse.columns);
+  coarse.heights_m.resize(coarse_width * static_cast<std::size_t>(coarse.rows));
   for (int row = 0; row < coarse.rows; ++row) {
-    for (int column = 0; column < coarse.columns; ++column)
-      coarse.heights_m.push_back(mean_of_four(grid, 2 * column, 2 * row));
+    float* means = coarse.heights_m.data() + static_cast<std::size_t>(row) * coarse_width;
+    const bool has_four = 2 * row + 1 < grid.rows;
+    const float* north = grid.heights_m.data() + static_cast<std::size_t>(2 * row) * width;
+    const float* south = has_four ? north + width : north;
+    const std::size_t pairs = has_four ? width / 2 : 0;
+    for (std::size_t i = 0; i < pairs; ++i)
+      means[i] = (north[2 * i] + north[2 * i + 1] + south[2 * i] + south[2 * i + 1]) / 4;
+    for (std::size_t i = 0; i < coarse_width; ++i)
+      if (i >= pairs || std::isnan(means[i]))
+        means[i] = mean_of_four(grid, 2 * static_cast<int>(i), 2 * row);
   }
   return coarse;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "ingest/height_unit.h"
 #include "tests/ingest/test_raster.h"
@@ -168,11 +169,12 @@ TEST_F(DemHeights, AMaskInTheFileIsHonoured) {
 }
 
 TEST_F(DemHeights, AUsualNodataNumberThatStandsAloneIsNoHeight) {
-  for (const double number : {-32768.0, -32767.0, -9999.0, -99999.0}) {
-    const Dem dem = read_open(with_middle(number));
+  for (const char* number : {"-32768", "-32767", "-9999", "-99999", "32767", "65535"}) {
+    const Dem dem = read_open(with_middle(std::stod(number)));
     EXPECT_TRUE(std::isnan(dem.grid->at(4, 4))) << number;
     ASSERT_EQ(dem.warnings.size(), 1U);
-    EXPECT_TRUE(says(dem.warnings[0], {"a.tif: 1 post of -", "--nodata -"}));
+    EXPECT_TRUE(says(dem.warnings[0], {std::string("a.tif: 1 post of ") + number,
+                                       std::string("--nodata ") + number}));
   }
 }
 
@@ -182,6 +184,15 @@ TEST_F(DemHeights, AUsualNodataNumberAmongOthersLikeItIsAHeight) {
   const Dem dem = read_open(sea);
   EXPECT_EQ(dem.grid->at(4, 4), -9999);
   EXPECT_TRUE(dem.warnings.empty());
+  // Those like it in other rows.
+  for (const double number : {-9999.0, 32767.0}) {
+    TestRaster steps = with_middle(number);
+    steps.number = [number](int column, int row) {
+      if (column == 4 && row == 4) return number;
+      return row == 4 ? 0 : 0.99 * number;
+    };
+    EXPECT_EQ(read_open(steps).grid->at(4, 4), static_cast<float>(number));
+  }
 }
 
 TEST_F(DemHeights, AUsualNodataNumberIsAHeightIfTheUserNamesAnother) {
@@ -196,6 +207,11 @@ TEST_F(DemHeights, WhatNoBodyIsHighEnoughForIsNoHeight) {
   ASSERT_EQ(dem.warnings.size(), 1U);
   EXPECT_TRUE(says(dem.warnings[0], {"a.tif", "1e+30 m at column 4, row 4", "--z-unit"}));
   EXPECT_EQ(read_open(with_middle(-21'000)).grid->at(4, 4), -21'000);
+  TestRaster in_hectometres = with_middle(2000);
+  in_hectometres.scale = 100;
+  const Dem scaled = read_open(in_hectometres);
+  EXPECT_TRUE(std::isnan(scaled.grid->at(4, 4)));
+  EXPECT_EQ(scaled.grid->at(0, 0), 50'000);
 }
 
 TEST_F(DemHeights, ADemWithoutHeightsIsRefusedAndSaysWhy) {
