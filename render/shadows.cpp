@@ -21,7 +21,7 @@ constexpr int kObjectRays = 8;  // a strip
 // Cells of a sun map that are made while a point finds its shadow without one: where all rays are
 // parallel, and where tracks bend (docs/decisions/sun-map.md).
 constexpr double kCellsAPoint = 15;
-constexpr double kCellsABentPoint = 60;
+constexpr double kCellsABentPoint = 25;
 
 // Directions of the sun's disc.
 class SunDisc {

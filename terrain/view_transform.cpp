@@ -86,8 +86,8 @@ glm::dvec3 local_direction(const VerticalFrame& frame, const glm::dvec3& view_m,
   if (gamma == 0) return true_direction;
   const glm::dvec2 outward = glm::dvec2(view_m) / s;
   const double d_rho = glm::dot(outward, glm::dvec2(true_direction));
-  const double sine = std::sin(gamma);
-  const double cosine = std::cos(gamma);
+  const auto [sinc, cosine] = arc(gamma);
+  const double sine = gamma * sinc;
   const double turned = cosine * d_rho - sine * true_direction.z;
   return {glm::dvec2(true_direction) + (turned - d_rho) * outward,
           sine * d_rho + cosine * true_direction.z};
