@@ -20,6 +20,7 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/oracle.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 namespace terrview {
@@ -124,7 +125,7 @@ Terrain of_planes(Random& random, SurfaceModel model) {
 
 TEST(PostSight, IsThatOfARayAPostWhereLinesOfSightGraze) {
   Random random(10);
-  for (int i = 0; i < 400; ++i)
+  for (int i = 0; i < fewer_if_sanitized(400); ++i)
     expect_same_as_plain(of_planes(random, SurfaceModel::hyperboloid), random.integer(0, 2));
 }
 

@@ -16,4 +16,7 @@ inline constexpr bool kSanitized = false;
 inline constexpr bool kSanitized = false;
 #endif
 
+// How many of so many random scenes a test takes.
+constexpr int fewer_if_sanitized(int scenes) { return kSanitized ? scenes / 3 : scenes; }
+
 }  // namespace terrview

@@ -42,7 +42,7 @@ std::vector<glm::dvec3> random_directions(Random& random, const Terrain& terrain
 
 template <class MakeTerrain>
 void expect_same_bits(std::uint64_t seed, Position position, const MakeTerrain& make) {
-  constexpr int kScenes = kSanitized ? 100 : 300;
+  constexpr int kScenes = fewer_if_sanitized(300);
   Random random(seed);
   int met = 0;
   for (int i = 0; i < kScenes; ++i) {

@@ -15,6 +15,7 @@
 #include "tests/support/instruction_sets.h"
 #include "tests/support/parabolic_map.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 namespace terrview {
@@ -132,14 +133,14 @@ TEST(SightSweep, DecidesAsRaysWhereTracksBend) {
 TEST(SightSweep, DecidesAsRaysNearTheEye) {
   Random random(5);
   int swept = 0;
-  for (int i = 0; i < 750; ++i) {
+  for (int i = 0; i < fewer_if_sanitized(750); ++i) {
     const Terrain terrain = rough(random, /*bend_per_m=*/i % 5 == 0 ? 3e-4 : 0);
     const auto ground = terrain.ground_at({0, 0});
     if (!ground || ground->scene_height_m >= terrain.frame().eye_height_m) continue;
     ++swept;
     expect_as_rays_say(terrain, sweep(terrain), 1);
   }
-  EXPECT_GT(swept, 500);
+  EXPECT_GT(swept, fewer_if_sanitized(500));
 }
 
 TEST(SightSweep, DecidesAsRaysUnderEveryInstructionSet) {

@@ -14,6 +14,7 @@
 #include "terrain/sun_shadow.h"
 #include "terrain/view_transform.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 namespace terrview {
@@ -133,7 +134,7 @@ inline void expect_shadows_of_single_rays(const Terrain& terrain, const glm::dve
 inline Seen expect_shadows(std::uint64_t seed, const std::function<Terrain(Random&)>& make) {
   Random random(seed);
   Seen seen;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < fewer_if_sanitized(300); ++i) {
     const Terrain terrain = make(random);
     std::vector<Hit> hits = ground_under(terrain, random, 200);
     const glm::dvec3 above_m(0, 0, terrain.ceiling_m() + 0.1 * terrain.reach_m());
