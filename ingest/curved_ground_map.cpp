@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,11 +12,9 @@
 namespace terrview {
 namespace {
 
-// Off the grid a piece may stray from the curve by this share of its distance from the grid.
-constexpr double kDistantError = 0.05;
 // The least piece, as a share of the disc's radius: far below any cell, above rounding.
 constexpr double kLeastPiece = 1e-10;
-// A line that passes the eye this near (metres) is the eye's.
+// A line that begins this near (metres) to the eye is the eye's.
 constexpr double kAtTheEye_m = 1e-9;
 
 // Where a line crosses the circle; both ends are NaN if it does not.
@@ -57,7 +56,7 @@ class PieceLimit {
 
   void meet(const PatchTree::Leaf& leaf, glm::dvec2 direction, double allowed_cells) {
     const glm::dvec2 bend = leaf.patch.bend(direction);
-    const double off_grid = kDistantError * leaf.grid_distance_cells;
+    const double off_grid = GroundMap::kDistantTrackError * leaf.grid_distance_cells;
     allowed_cells += off_grid;
     per_m2_ = std::max(per_m2_, glm::length(bend) / allowed_cells);
     if (off_grid == 0) metres_per_m2_ = std::max(metres_per_m2_, leaf.patch.metres(bend));
@@ -136,8 +135,7 @@ double CurvedGroundMap::piece_end_m(const GroundLine& line, double from_m, doubl
 
 void CurvedGroundMap::piece_ends_m(const GroundLines& lines, const Stretches& stretches,
                                    std::span<double> ends_m) const {
-  const PieceRules rules{piece_error_cells_, kDistantError, kLeastPiece * disc_.radius_m,
-                         kAtTheEye_m};
+  const PieceRules rules{piece_error_cells_, kLeastPiece * disc_.radius_m, kAtTheEye_m};
   patch_piece_ends(patches_, disc_, rules, lines, stretches, ends_m);
   for (std::size_t i = 0; i < ends_m.size(); ++i)
     if (std::isnan(ends_m[i]))
@@ -185,7 +183,7 @@ double CurvedGroundMap::chord_excess(const GroundLine& line, double from_m, doub
   for (const double share : {0.25, 0.5, 0.75}) {
     const glm::dvec2 on_chord = glm::mix(start, end, share);
     const glm::dvec2 on_curve = to_grid(line.at(glm::mix(from_m, to_m, share)));
-    const double allowed = kTrackError_cells + kDistantError * off_grid(on_curve, last_post_);
+    const double allowed = kTrackError_cells + kDistantTrackError * off_grid(on_curve, last_post_);
     excess = std::max(excess, glm::distance(on_chord, on_curve) - allowed);
   }
   return excess;

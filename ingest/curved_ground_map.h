@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "ingest/ground_disc.h"
 #include "ingest/patch_tree.h"

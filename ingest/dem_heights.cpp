@@ -135,16 +135,16 @@ int whole_blocks(int fit, int block, int all) {
 
 // Windows that follow the file's blocks, so that each block is decoded once; a block too large to
 // be had at once is taken in slices.
-std::vector<PostWindow> block_windows(GDALRasterBand& band, const PostWindow& part) {
-  constexpr int kPostsAtOnce = 1 << 17;  // whose numbers stay in the processor's cache
+std::vector<PostWindow> block_windows(GDALRasterBand& band, const PostWindow& part,
+                                      int posts_at_once) {
   int block_width = 1;
   int block_height = 1;
   band.GetBlockSize(&block_width, &block_height);
-  const int step_x = whole_blocks(kPostsAtOnce / block_height, block_width, band.GetXSize());
+  const int step_x = whole_blocks(posts_at_once / block_height, block_width, band.GetXSize());
   const int step_y = step_x < band.GetXSize()
                          ? block_height
-                         : whole_blocks(kPostsAtOnce / step_x, block_height, band.GetYSize());
-  const int slice = std::max(1, kPostsAtOnce / step_x);
+                         : whole_blocks(posts_at_once / step_x, block_height, band.GetYSize());
+  const int slice = std::max(1, posts_at_once / step_x);
   const auto next = [](int at, int step, int end) {
     return static_cast<int>(std::min<std::int64_t>(end, (std::int64_t{at} / step + 1) * step));
   };
@@ -185,6 +185,10 @@ class BlockReader {
     if (masked_) return {};
     return std::span(numbers_).subspan(index, static_cast<std::size_t>(count));
   }
+
+  // Few, so that their numbers stay in the processor's cache; but blocks of a mask take turns with
+  // the band's, and large ones would drive each other out.
+  [[nodiscard]] int posts_at_once() const { return masked_ ? 1 << 21 : 1 << 17; }
 
   [[nodiscard]] double number(std::size_t index) const {
     return masked_ && mask_[index] == 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -285,13 +289,14 @@ std::vector<std::string> read_heights(DemSource& source, const HeightTarget& tar
   const Destination destination(target, grid);
   BlockReader block(source, scope);
   Tally tally;
-  for (const PostWindow& window : block_windows(source.band(), target.window)) {
+  for (const PostWindow& window :
+       block_windows(source.band(), target.window, block.posts_at_once())) {
     block.read(window);
     std::size_t index = 0;
     for (int row = window[1]; row < window[1] + window[3]; ++row) {
       const auto numbers = block.numbers(index, window[2]);
       const auto posts = destination.posts(window[0], row, window[2]);
-      if (numbers.size() == posts.size() && converter.convert_plain(numbers, posts, tally)) {
+      if (!numbers.empty() && !posts.empty() && converter.convert_plain(numbers, posts, tally)) {
         index += numbers.size();
         continue;
       }

@@ -84,7 +84,7 @@ struct EndsOf {
   V from, limit;
 
   VEC_INLINE V on(const PatchTree::Leaf& leaf) const {
-    const double off_grid = rules.distant_error * leaf.grid_distance_cells;
+    const double off_grid = GroundMap::kDistantTrackError * leaf.grid_distance_cells;
     const VectorPoint bend = bend_on(leaf.patch);
     const V per_m2 = hn::Sqrt(bend.x * bend.x + bend.y * bend.y) / of(rules.error_cells + off_grid);
     const V end = from + hn::Sqrt(of(8) / per_m2);
@@ -135,18 +135,19 @@ class Leaves {
   VEC_INLINE auto ask(const VectorPoint& point, const Asked& asked) {
     const auto found = asked.on(*last_);
     const M here = points_in(*last_, point);
-    return hn::AllTrue(D(), here) ? found : by_leaf(point, asked);
+    return hn::AllTrue(D(), here) ? found : others(point, asked, found, here);
   }
 
  private:
-  template <class Asked>
-  HWY_NOINLINE auto by_leaf(const VectorPoint& point, const Asked& asked) {
+  // Leaf by leaf, what is not known yet.
+  template <class Asked, class Found>
+  HWY_NOINLINE Found others(const VectorPoint& point, const Asked& asked, Found all, M known) {
     alignas(64) std::array<double, kVectorLanes> x_m;
     alignas(64) std::array<double, kVectorLanes> y_m;
     hn::Store(point.x, D(), x_m.data());
     hn::Store(point.y, D(), y_m.data());
-    auto all = asked.on(*last_);
-    for (std::uint32_t left = (1U << hn::Lanes(D())) - 1; left != 0;) {
+    const std::uint32_t lanes = (1U << hn::Lanes(D())) - 1;
+    for (std::uint32_t left = lanes & ~bits_of(known); left != 0;) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
       last_ = &patches_.leaf_at({x_m[lane], y_m[lane]});
       const M here = points_in(*last_, point);

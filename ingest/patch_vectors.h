@@ -22,10 +22,9 @@ void patch_places(const PatchTree& patches, const GroundDisc& disc, glm::dvec2 c
 
 // What bounds a piece of a track: see CurvedGroundMap::piece_end_m().
 struct PieceRules {
-  double error_cells;    // over the grid
-  double distant_error;  // and off it, a share of the distance
+  double error_cells;  // over the grid
   double least_m;
-  double at_the_eye_m;  // lines that pass the eye nearer than this are the eye's
+  double at_the_eye_m;  // lines that begin nearer to the eye than this are the eye's
 };
 
 // Where pieces end, bit for bit; NaN for lines of the eye or that are outside the disc, and where a

@@ -19,9 +19,9 @@ constexpr int kHalvings = 5;
 constexpr int kObjectRays = 8;  // a strip
 
 // Cells of a sun map that are made while a point finds its shadow without one: where all rays are
-// parallel, and where tracks bend (docs/decisions/sun-map.md).
-constexpr double kCellsAPoint = 15;
-constexpr double kCellsABentPoint = 25;
+// parallel, and on a round Earth or where tracks bend (docs/decisions/sun-map.md).
+constexpr double kCellsAParallelRay = 15;
+constexpr double kCellsARay = 25;
 
 // Directions of the sun's disc.
 class SunDisc {
@@ -215,7 +215,7 @@ Scene with_sun_map(const Scene& scene, std::int64_t points, int threads) {
   const TerrainLayer& layer = terrain.layers()[0];
   const bool parallel = terrain.frame().is_flat() && layer.map->linear();
   const double cells = static_cast<double>(layer.grid->columns) * layer.grid->rows;
-  if (static_cast<double>(points) * (parallel ? kCellsAPoint : kCellsABentPoint) < cells)
+  if (static_cast<double>(points) * (parallel ? kCellsAParallelRay : kCellsARay) < cells)
     return scene;
   Scene lit = scene;
   lit.sun_map = SunMap::make(

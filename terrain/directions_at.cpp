@@ -26,8 +26,7 @@ class TurnedLight {
  public:
   TurnedLight(const VerticalFrame& frame, const glm::dvec3& true_direction)
       : frame_(frame),
-        east_(of(frame.east_curvature_per_m)),
-        north_(of(frame.north_curvature_per_m)),
+        earth_(frame),
         x_(of(true_direction.x)),
         y_(of(true_direction.y)),
         z_(of(true_direction.z)) {}
@@ -38,7 +37,7 @@ class TurnedLight {
   };
 
   VEC_INLINE Directions at(V view_x, V view_y, V view_z) const {
-    const V view_curvature = curvature_towards(view_x, view_y);
+    const V view_curvature = earth_.curvature(view_x, view_y);
     const V s = hn::Sqrt(view_x * view_x + view_y * view_y);
     const V gamma = s * view_curvature;
     const V gamma2 = gamma * gamma;
@@ -53,7 +52,7 @@ class TurnedLight {
     const V north = to_true * view_y;
     const V up_m = to_true * sunk;
 
-    const V curvature = curvature_towards(east, north);
+    const V curvature = earth_.curvature(east, north);
     const V rho = hn::Sqrt(east * east + north * north);
     const V up = of(1) + curvature * (eye + up_m);
     const V out_x = east / rho;
@@ -72,13 +71,8 @@ class TurnedLight {
   }
 
  private:
-  VEC_INLINE V curvature_towards(V x, V y) const {
-    const V s2 = x * x + y * y;
-    return hn::IfThenElse(s2 == of(0), north_, (x * x * east_ + y * y * north_) / s2);
-  }
-
   const VerticalFrame& frame_;
-  V east_, north_;
+  VectorFrame earth_;
   V x_, y_, z_;
 };
 

@@ -96,11 +96,8 @@ class EyeLoop {
   // that they need look at.
   VEC_INLINE std::uint32_t begin(std::size_t first, std::uint32_t lanes) {
     save(rays_.ground_m, first, of(-1));
-    const V rise = hn::Abs(load(rays_.direction_z, first));
-    const V across_x = load(rays_.direction_x, first);
-    const V across_y = load(rays_.direction_y, first);
-    // As is_vertical(), or nearly: those near it go the sure way. NaN too.
-    const M slanted = across_x * across_x + across_y * across_y > of(4e-24) * rise * rise;
+    const M slanted = is_slanted(load(rays_.direction_x, first), load(rays_.direction_y, first),
+                                 load(rays_.direction_z, first));
     V start_m =
         hn::PromoteTo(D(), search_.start_m(hn::DemoteTo(IntTag(), load(set_.start, first))));
     if (rays_.follows) start_m = hn::Max(start_m, load(rays_.clear_m, first));

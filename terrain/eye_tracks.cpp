@@ -19,8 +19,6 @@ constexpr std::size_t kMostKnots = 96;
 
 // What the table may add to the errors of a map, as a share of its limits.
 constexpr double kShareOfLimit = 0.1;
-// Where no post is near, tracks may stray by this share of the way to the nearest instead.
-constexpr double kDistantError = 0.05;
 
 }  // namespace
 
@@ -123,7 +121,8 @@ bool EyeTracks::is_close_to(const GroundMap& map) const {
       const double limit =
           kShareOfLimit * std::min(GroundMap::kTrackError_cells,
                                    GroundMap::kTrackError_rad * std::max(1.0, cells_per_rad));
-      if (!(error <= limit) && !(error <= kDistantError * distance_from_grid(map, sector, i)))
+      if (!(error <= limit) &&
+          !(error <= GroundMap::kDistantTrackError * distance_from_grid(map, sector, i)))
         return false;
     }
   }

@@ -28,6 +28,8 @@ class GroundMap {
   static constexpr double kTrackError_cells = 0.02;
   // 0.08 pixel of a picture 1920 wide that spans 60 degrees. Nearer than a cell, a cell counts.
   static constexpr double kTrackError_rad = 5e-5;
+  // Where no post is near, tracks may stray by this share of the way to the nearest instead.
+  static constexpr double kDistantTrackError = 0.05;
 
   virtual ~GroundMap() = default;
 

@@ -8,7 +8,6 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,7 +31,7 @@ class LineLanes {
     hn::Store(value, D(), values.data() + first);
   }
   VEC_INLINE std::uint32_t lanes_from(std::size_t first) const {
-    return (1U << std::min(hn::Lanes(D()), lines_.count - first)) - 1;
+    return lanes_below(lines_.count, first);
   }
 
   VEC_INLINE void mark(std::size_t first, std::uint32_t lanes, March fate, Fates& fates) const {

@@ -18,23 +18,19 @@ namespace HWY_NAMESPACE {
 
 class TrackLanes : LineLanes {
  public:
-  TrackLanes(const Terrain& terrain, MarchLines& lines) : LineLanes(lines), terrain_(terrain) {}
+  TrackLanes(const Terrain& terrain, MarchLines& lines)
+      : LineLanes(lines),
+        terrain_(terrain),
+        last_column_(of(terrain.layers()[0].grid->columns - 1)),
+        last_row_(of(terrain.layers()[0].grid->rows - 1)) {}
 
   void lay_straight(Fates& fates) {
     const TerrainLayer& layer = terrain_.layers()[0];
     const glm::dmat2 j = *layer.map->linear();
     const glm::dvec2 eye_uv = layer.map->to_grid({0, 0});
-    const V last_column = of(layer.grid->columns - 1);
-    const V last_row = of(layer.grid->rows - 1);
     for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
-      const V across_x = get(lines_.x, i);
-      const V across_y = get(lines_.y, i);
-      const V across2 = across_x * across_x + across_y * across_y;
-      const V up = get(lines_.slope, i);
-      const VectorLine line = line_under(across_x, across_y, up);
-      keep(lines_.x, i, line.x);
-      keep(lines_.y, i, line.y);
-      keep(lines_.slope, i, line.slope);
+      const M slanted = is_slanted(get(lines_.x, i), get(lines_.y, i), get(lines_.slope, i));
+      const VectorLine line = put_line(i);
       const V x0 = get(lines_.x0, i);
       const V y0 = get(lines_.y0, i);
       const V u = of(eye_uv.x) + (of(j[0][0]) * x0 + of(j[1][0]) * y0);
@@ -46,14 +42,9 @@ class TrackLanes : LineLanes {
       keep(lines_.rate_v, i, rates.v.rate);
       keep(lines_.metres_u, i, rates.u.metres);
       keep(lines_.metres_v, i, rates.v.metres);
-      keep(lines_.begin, i, of(0));
       keep(lines_.end, i, hn::Inf(D()));
-      // As is_vertical(), or nearly: those near it go the sure way. NaN too.
-      const M slanted = across2 > of(4e-24) * up * up;
-      const M over_grid =
-          hn::And(hn::And(u >= of(0), u <= last_column), hn::And(v >= of(0), v <= last_row));
       const M endless = get(lines_.to, i) == hn::Inf(D());
-      const M known = hn::And(hn::And(slanted, endless), over_grid);
+      const M known = hn::And(hn::And(slanted, endless), is_over_grid(u, v));
       mark(i, ~bits_of(known) & lanes_from(i), March::undecided, fates);
     }
   }
@@ -63,35 +54,25 @@ class TrackLanes : LineLanes {
   void lay_lines(Fates& fates) {
     const V reach = of(terrain_.reach_m());
     for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
-      const V across_x = get(lines_.x, i);
-      const V across_y = get(lines_.y, i);
-      const V across2 = across_x * across_x + across_y * across_y;
-      const V up = get(lines_.slope, i);
-      const VectorLine line = line_under(across_x, across_y, up);
-      keep(lines_.x, i, line.x);
-      keep(lines_.y, i, line.y);
-      keep(lines_.slope, i, line.slope);
-      keep(lines_.begin, i, of(0));
+      const M slanted = is_slanted(get(lines_.x, i), get(lines_.y, i), get(lines_.slope, i));
+      const VectorLine line = put_line(i);
       const V x0 = get(lines_.x0, i);
       const V y0 = get(lines_.y0, i);
       const V along = x0 * line.x + y0 * line.y;
       const V away2 = x0 * x0 + y0 * y0 - reach * reach;
       const V leaves = hn::Sqrt(along * along - away2) - along;
       const V length = get(lines_.to, i) / hn::Sqrt(of(1) + line.slope * line.slope);
-      const V to = hn::Min(leaves, length);
-      keep(lines_.to, i, to);
-      // As is_vertical(), or nearly: those near it go the sure way. NaN too.
-      const M slanted = across2 > of(4e-24) * up * up;
+      keep(lines_.to, i, hn::Min(leaves, length));
       const M from_eye = hn::And(x0 == of(0), y0 == of(0));
-      const M known = hn::AndNot(from_eye, hn::And(slanted, to > of(0)));
+      // NaN: a line that misses the disc.
+      const M has_length = hn::And(leaves > of(0), length > of(0));
+      const M known = hn::AndNot(from_eye, hn::And(slanted, has_length));
       mark(i, ~bits_of(known) & lanes_from(i), March::undecided, fates);
     }
   }
 
   // Pieces whose ends are known.
   void lay_pieces(Fates& fates) {
-    const V last_column = of(terrain_.layers()[0].grid->columns - 1);
-    const V last_row = of(terrain_.layers()[0].grid->rows - 1);
     for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
       const V u = get(lines_.start_u, i);
       const V v = get(lines_.start_v, i);
@@ -102,9 +83,7 @@ class TrackLanes : LineLanes {
       keep(lines_.rate_v, i, rate_v.rate);
       keep(lines_.metres_u, i, rate_u.metres);
       keep(lines_.metres_v, i, rate_v.metres);
-      const M over_grid =
-          hn::And(hn::And(u >= of(0), u <= last_column), hn::And(v >= of(0), v <= last_row));
-      const M known = hn::And(over_grid, length > of(0));
+      const M known = hn::And(is_over_grid(u, v), length > of(0));
       mark(i, ~bits_of(known) & lanes_from(i), March::undecided, fates);
     }
   }
@@ -119,7 +98,23 @@ class TrackLanes : LineLanes {
   }
 
  private:
+  // The line under a direction, from its beginning.
+  VEC_INLINE VectorLine put_line(std::size_t first) {
+    const VectorLine line =
+        line_under(get(lines_.x, first), get(lines_.y, first), get(lines_.slope, first));
+    keep(lines_.x, first, line.x);
+    keep(lines_.y, first, line.y);
+    keep(lines_.slope, first, line.slope);
+    keep(lines_.begin, first, of(0));
+    return line;
+  }
+
+  VEC_INLINE M is_over_grid(V u, V v) const {
+    return hn::And(hn::And(u >= of(0), u <= last_column_), hn::And(v >= of(0), v <= last_row_));
+  }
+
   const Terrain& terrain_;
+  V last_column_, last_row_;
 };
 
 void straight_lines(const Terrain& terrain, MarchLines& lines, Fates& fates) {

@@ -5,7 +5,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,7 +16,6 @@
 #include "terrain/march_set.h"
 #include "terrain/march_tracks.h"
 #include "terrain/occlusion.h"
-#include "terrain/tracer.h"
 #include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 #include "terrain/vector_limits.h"

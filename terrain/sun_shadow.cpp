@@ -27,10 +27,6 @@ HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
 
-VEC_INLINE std::uint32_t lanes_from(std::size_t first, std::size_t count) {
-  return (1U << std::min(hn::Lanes(D()), count - first)) - 1;
-}
-
 // Looks points up in a map, lane by lane as SunMap::at() does. Where the map of the ground is
 // linear it finds their places; else these are given.
 void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
@@ -93,7 +89,7 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
                points.shaded.data() + i);
     const std::uint32_t decided = bits_of(hn::And(sure, hn::Or(lit, below)));
     const std::uint32_t sure_bits = bits_of(sure);
-    std::uint32_t others = ~decided & lanes_from(i, points.count);
+    std::uint32_t others = ~decided & lanes_below(points.count, i);
     for (; others != 0; others &= others - 1) {
       const auto lane = static_cast<std::uint32_t>(__builtin_ctz(others));
       auto& list = (sure_bits >> lane & 1) != 0 ? points.unknown : points.nowhere;

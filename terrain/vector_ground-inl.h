@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -99,6 +100,15 @@ VEC_INLINE VectorRate invertible(V rate) {
   const V metres = of(1) / rate;
   const M is_finite = hn::Abs(metres) < hn::Inf(D());
   return {hn::IfThenElseZero(is_finite, rate), hn::IfThenElseZero(is_finite, metres)};
+}
+
+// Whether a direction is not that of a vertical ray, as is_vertical() has it, nor nearly: those
+// near it go the sure way. NaN is not.
+VEC_INLINE M is_slanted(V x, V y, V z) { return x * x + y * y > of(4e-24) * z * z; }
+
+// The lanes of a vector from `first` on that are below `count`.
+VEC_INLINE std::uint32_t lanes_below(std::size_t count, std::size_t first) {
+  return (1U << std::min(hn::Lanes(D()), count - first)) - 1;
 }
 
 // The ground lines under directions from the eye, and the slope of the rays over them.

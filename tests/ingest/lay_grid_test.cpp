@@ -20,57 +20,13 @@
 #include "terrain/eye_tracks.h"
 #include "terrain/track_piece.h"
 #include "tests/ingest/geodesy_cases.h"
-#include "tests/support/instruction_sets.h"
+#include "tests/ingest/ground_maps.h"
 
 namespace terrview {
 namespace {
 
 using cases::GridCase;
 using cases::Oracle;
-
-constexpr double kSight_m = 400e3;
-
-class GroundMaps : public testing::TestWithParam<GridCase> {
- protected:
-  GroundMaps()
-      : crs_(cases::transform(GetParam())),
-        eye_(cases::eye_point(GetParam(), *crs_)),
-        exact_(eye_, crs_, cases::placement(GetParam())),
-        laid_(lay_grid(exact_, GetParam().posts, kSight_m)),
-        oracle_(GetParam(), eye_) {}
-
-  [[nodiscard]] const GroundMap& map() const { return *laid_[0].map; }
-  [[nodiscard]] glm::dvec2 last_post() const { return GetParam().posts - 1; }
-
-  // How far a point of the grid frame is off the grid; negative on it.
-  [[nodiscard]] double off_grid(glm::dvec2 uv) const {
-    const glm::dvec2 out = glm::max(uv - last_post(), -uv);
-    return std::max(out.x, out.y);
-  }
-
-  // Ground points of posts all over the grid; none within a metre of a pole, where the map jumps.
-  [[nodiscard]] std::vector<glm::dvec2> ground_of_posts(int count) const {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> share(0, 1);
-    std::vector<glm::dvec2> points;
-    while (static_cast<int>(points.size()) < count) {
-      glm::dvec2 point = last_post() * glm::dvec2(share(random), share(random));
-      points.push_back(laid_[0].exact.to_ground(point));
-    }
-    return points;
-  }
-
-  [[nodiscard]] static GroundLine line_from_eye(int index, int count) {
-    const double azimuth = 2 * std::numbers::pi * (index + 0.37) / count;
-    return {{0, 0}, {std::sin(azimuth), std::cos(azimuth)}};
-  }
-
-  std::shared_ptr<const CrsTransform> crs_;
-  GeoPoint eye_;
-  ExactGroundMap exact_;
-  std::vector<LaidGrid> laid_;
-  Oracle oracle_;
-};
 
 TEST_P(GroundMaps, FindEveryPost) {
   ASSERT_EQ(laid_.size(), 1U);
@@ -204,100 +160,6 @@ TEST_P(GroundMaps, KeepTracksFromTheEyeWithinTheirPromise) {
   }
 }
 
-struct ManyPoints {
-  std::vector<double> x_m, y_m;
-
-  void put(glm::dvec2 point) {
-    x_m.push_back(point.x);
-    y_m.push_back(point.y);
-  }
-};
-
-// All over the disc, beyond it, and in one vector on both sides of a seam.
-ManyPoints many_points(const GroundMap& map, const std::vector<glm::dvec2>& ground_of_posts) {
-  ManyPoints points;
-  for (const glm::dvec2 point : ground_of_posts) points.put(point);
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> share(-3, 3);
-  for (int i = 0; i < 500; ++i) {
-    const double x = share(random);
-    points.put(map.reach_m() * glm::dvec2(x, share(random)));
-  }
-  if (const auto* curved = dynamic_cast<const CurvedGroundMap*>(&map))
-    for (const PatchTree::Leaf& leaf : curved->patches().leaves())
-      for (const glm::dvec2 corner : {leaf.low_m, leaf.high_m})
-        for (const double side : {-1e-3, 0.0, 1e-3})
-          if (std::isfinite(corner.x + corner.y)) points.put(corner + side);
-  return points;
-}
-
-TEST_P(GroundMaps, TellManySlopesAsTheyTellOne) {
-  const ManyPoints points = many_points(map(), ground_of_posts(1001));
-  const std::size_t count = points.x_m.size();
-  std::vector<double> values[4];
-  for (std::vector<double>& each : values) each.resize(count);
-  under_every_instruction_set([&] {
-    for (std::vector<double>& each : values) std::fill(each.begin(), each.end(), std::nan(""));
-    map().jacobians({points.x_m, points.y_m}, {values[0], values[1], values[2], values[3]});
-    for (std::size_t i = 0; i < count; ++i)
-      ASSERT_EQ(glm::dmat2(values[0][i], values[1][i], values[2][i], values[3][i]),
-                map().jacobian({points.x_m[i], points.y_m[i]}))
-          << points.x_m[i] << ", " << points.y_m[i];
-  });
-}
-
-TEST_P(GroundMaps, TellManyPlacesAsTheyTellOne) {
-  const ManyPoints points = many_points(map(), ground_of_posts(1001));
-  const std::size_t count = points.x_m.size();
-  std::vector<double> u(count);
-  std::vector<double> v(count);
-  under_every_instruction_set([&] {
-    std::fill(u.begin(), u.end(), std::nan(""));
-    std::fill(v.begin(), v.end(), std::nan(""));
-    map().places({points.x_m, points.y_m}, {u, v});
-    for (std::size_t i = 0; i < count; ++i)
-      ASSERT_EQ(glm::dvec2(u[i], v[i]), map().to_grid({points.x_m[i], points.y_m[i]}))
-          << points.x_m[i] << ", " << points.y_m[i];
-  });
-}
-
-// Also along the axes, from the eye, from far along a line, and to nearby ends.
-TEST_P(GroundMaps, EndManyPiecesAsTheyEndOne) {
-  const ManyPoints points = many_points(map(), ground_of_posts(1001));
-  const std::size_t count = points.x_m.size();
-  std::mt19937_64 random(6);
-  std::uniform_real_distribution<double> share(0, 1);
-  std::uniform_int_distribution<int> kind(0, 7);
-  ManyPoints origins;
-  ManyPoints directions;
-  std::vector<double> from_m;
-  std::vector<double> limit_m;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool is_eyes = kind(random) == 0;
-    origins.put(is_eyes ? glm::dvec2(0) : glm::dvec2(points.x_m[i], points.y_m[i]));
-    const double azimuth = 2 * std::numbers::pi * share(random);
-    const int axis = kind(random);
-    directions.put(axis == 0   ? glm::dvec2(1, 0)
-                   : axis == 1 ? glm::dvec2(0, -1)
-                               : glm::dvec2(std::sin(azimuth), std::cos(azimuth)));
-    from_m.push_back(kind(random) < 4 ? 0 : map().reach_m() * share(random));
-    const double shares[] = {3, 3, 3, 1e-3, 1e-3, 1e-4, 1e-5, 1e-13};
-    limit_m.push_back(from_m.back() +
-                      map().reach_m() * shares[static_cast<std::size_t>(kind(random))]);
-  }
-  std::vector<double> ends_m(count);
-  under_every_instruction_set([&] {
-    std::fill(ends_m.begin(), ends_m.end(), std::nan(""));
-    map().piece_ends_m({origins.x_m, origins.y_m, directions.x_m, directions.y_m},
-                       {from_m, limit_m}, ends_m);
-    for (std::size_t i = 0; i < count; ++i)
-      ASSERT_EQ(ends_m[i], map().piece_end_m({{origins.x_m[i], origins.y_m[i]},
-                                              {directions.x_m[i], directions.y_m[i]}},
-                                             from_m[i], limit_m[i]))
-          << i;
-  });
-}
-
 TEST_P(GroundMaps, KeepTracksThatMissTheEyeWithinTheirPromise) {
   const double length_m = std::min(2 * map().reach_m(), 150e3);
   std::mt19937_64 random(3);
@@ -339,13 +201,8 @@ TEST_P(GroundMaps, StayOffTheGridFarAway) {
   }
 }
 
-std::string test_name(const testing::TestParamInfo<GridCase>& test) {
-  std::string name = test.param.name;
-  std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(EveryKind, GroundMaps, testing::ValuesIn(cases::grid_cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(EveryKind, GroundMaps, testing::ValuesIn(cases::grid_cases()),
+                         name_of_case);
 
 std::vector<LaidGrid> lay(const GridCase& grid) {
   const auto crs = cases::transform(grid);

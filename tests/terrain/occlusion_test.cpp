@@ -14,6 +14,7 @@
 
 #include "tests/support/instruction_sets.h"
 #include "tests/support/judge.h"
+#include "tests/support/parabolic_map.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 
@@ -90,6 +91,33 @@ TEST(Occluded, AnswersSoWhereTracksComeBack) {
   expect_same_answers(4, Position::general, [](Random& random) {
     return random_bent_terrain(random, SurfaceModel::hyperboloid);
   });
+}
+
+// Lines that miss the disc of the reach, graze it, enter it and leave it, with ground on both
+// sides.
+TEST(Occluded, AnswersSoBeyondTheReach) {
+  constexpr double kReach_m = 1000;
+  Random random(23);
+  const auto grid = std::make_shared<const HeightGrid>(make_grid(
+      301, 301, [&](int, int) { return random.chance(0.05) ? 200.0 : random.uniform(0, 5); }));
+  const auto map =
+      std::make_shared<const ParabolicGroundMap>(glm::dvec2(150.3, 149.6), 10, 1e-5, kReach_m);
+  const Terrain terrain({{grid, map}}, {.eye_height_m = 100}, SurfaceModel::hyperboloid);
+  std::vector<Ray> rays;
+  while (rays.size() < 20000) {
+    const double azimuth_rad = random.uniform(0, 6.3);
+    const double away_m = random.uniform(900, 1400);
+    const double heading_rad =
+        random.chance(0.3) ? azimuth_rad + std::acos(-1) / 2 : random.uniform(0, 6.3);
+    const glm::dvec2 at_m = away_m * glm::dvec2(std::sin(azimuth_rad), std::cos(azimuth_rad));
+    const double z_m = random.uniform(-90, 80);
+    rays.push_back(
+        {{at_m, z_m}, {std::sin(heading_rad), std::cos(heading_rad), random.uniform(-0.01, 0.1)}});
+  }
+  Answers answers;
+  expect_answers_of_single_rays(terrain, rays, answers);
+  EXPECT_GT(answers.stopped, 2000);
+  EXPECT_GT(answers.free, 2000);
 }
 
 TEST(Occluded, AnswersSoOverSeveralGridsAndOtherSurfaces) {

@@ -24,8 +24,8 @@ TEST(SunShadow, IsSoOnBentTracks) {
   const Seen parabolas = expect_shadows(3, [](Random& random) {
     return random_parabolic_terrain(random, SurfaceModel::hyperboloid);
   });
-  EXPECT_GT(parabolas.suns, 100);
-  EXPECT_GT(parabolas.lit, 1000);
+  EXPECT_GT(parabolas.suns, fewer_if_sanitized(100));
+  EXPECT_GT(parabolas.lit, fewer_if_sanitized(1000));
   expect_shadows(
       4, [](Random& random) { return random_bent_terrain(random, SurfaceModel::hyperboloid); });
 }
