@@ -17,13 +17,11 @@ namespace terrview {
 
 namespace {
 
-// Of a row of pixels, from `first` on.
-void store_row(const EyeFacets& facets, std::size_t first, std::size_t count, TracedFrame& frame,
-               std::size_t pixel) {
-  std::copy_n(facets.distance_m.data() + first, count, frame.distance_m.data() + pixel);
-  std::copy_n(facets.cell.data() + first, count, frame.cell.data() + pixel);
-  std::copy_n(facets.x.data() + first, count, frame.normal_east.data() + pixel);
-  std::copy_n(facets.y.data() + first, count, frame.normal_north.data() + pixel);
+// Pixels of a frame side by side.
+EyeFacets pixels_from(TracedFrame& frame, std::size_t first, std::size_t count) {
+  const auto some = [&](auto& plane) { return std::span(plane).subspan(first, count); };
+  return {some(frame.distance_m), some(frame.cell), some(frame.normal_east),
+          some(frame.normal_north)};
 }
 
 // Part of a picture; one that is level goes upwards, row by row, and rows that follow others are as
@@ -38,11 +36,10 @@ class PartTracer {
       aim({first_px.x, first_px.y + row}, size_px.x, static_cast<std::size_t>(row * size_px.x));
     rays_.count = static_cast<std::size_t>(size_px.x * size_px.y);
     trace(front_, rays_, counts_);
-    facets(front_.terrain(), rays_, seen_);
     for (int row = 0; row < size_px.y; ++row)
-      store_row(seen_, static_cast<std::size_t>(row * size_px.x),
-                static_cast<std::size_t>(size_px.x), frame_,
-                frame_.index(first_px.x, first_px.y + row));
+      facets(front_.terrain(), rays_, static_cast<std::size_t>(row * size_px.x),
+             pixels_from(frame_, frame_.index(first_px.x, first_px.y + row),
+                         static_cast<std::size_t>(size_px.x)));
   }
 
   void trace_upwards(glm::ivec2 first_px, glm::ivec2 size_px) {
@@ -65,7 +62,6 @@ class PartTracer {
   const Camera& camera_;
   TracedFrame& frame_;
   EyeRays rays_;
-  EyeFacets seen_;
   TraceCounts counts_;
 };
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "terrain/eye_front.h"
 #include "terrain/ray.h"
@@ -62,14 +63,15 @@ struct EyeRays {
 // Finds the hits of `rays`. Any thread may call, with rays of its own. Adds to `counts`.
 void trace(const EyeFront& front, EyeRays& rays, TraceCounts& counts);
 
-// What is seen along rays, as pictures keep it.
+// What is seen along rays side by side, as pictures keep it.
 struct EyeFacets {
-  alignas(64) EyeRays::Values distance_m;  // along the ray; infinite: a miss
-  alignas(
-      64) std::array<std::int32_t, EyeRays::kMost> cell;  // row * cells in a row + column; or -1
-  // The facet's unit normal, as Terrain::facet_normal() gives it; or 0.
-  alignas(64) std::array<float, EyeRays::kMost> x, y, z;
+  std::span<double> distance_m;  // along the ray; infinite: a miss
+  std::span<std::int32_t> cell;  // row * cells in a row + column; or -1
+  // Of the facet's unit normal, which points up, as Terrain::facet_normal() gives it; or 0.
+  std::span<float> normal_x, normal_y;
 };
-void facets(const Terrain& terrain, const EyeRays& rays, EyeFacets& facets);
+// Of as many rays, from `first` on.
+void facets(const Terrain& terrain, const EyeRays& rays, std::size_t first,
+            const EyeFacets& facets);
 
 }  // namespace terrview
