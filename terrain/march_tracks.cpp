@@ -49,8 +49,6 @@ class TrackLanes : LineLanes {
     }
   }
 
-  // The lines of rays whose directions are given, of any length, and how far they go. Those from
-  // the eye have tracks of their own.
   void lay_lines(Fates& fates) {
     const V reach = of(terrain_.reach_m());
     for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
@@ -88,12 +86,12 @@ class TrackLanes : LineLanes {
     }
   }
 
-  // The ground at `at` along each line.
-  void put_points(const MarchLines::Doubles& at, MarchLines::Doubles& x_m,
-                  MarchLines::Doubles& y_m) const {
+  // Where the pieces end on the ground.
+  void put_ends(MarchLines::Doubles& x_m, MarchLines::Doubles& y_m) const {
     for (std::size_t i = 0; i < lines_.count; i += hn::Lanes(D())) {
-      keep(x_m, i, get(lines_.x0, i) + get(lines_.x, i) * get(at, i));
-      keep(y_m, i, get(lines_.y0, i) + get(lines_.y, i) * get(at, i));
+      const V end = get(lines_.end, i);
+      keep(x_m, i, get(lines_.x0, i) + get(lines_.x, i) * end);
+      keep(y_m, i, get(lines_.y0, i) + get(lines_.y, i) * end);
     }
   }
 
@@ -131,7 +129,7 @@ void bent_pieces(const Terrain& terrain, MarchLines& lines, Fates& fates) {
 
 void put_ends(const Terrain& terrain, MarchLines& lines, MarchLines::Doubles& x_m,
               MarchLines::Doubles& y_m) {
-  TrackLanes(terrain, lines).put_points(lines.end, x_m, y_m);
+  TrackLanes(terrain, lines).put_ends(x_m, y_m);
 }
 
 }  // namespace HWY_NAMESPACE

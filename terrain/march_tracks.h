@@ -1,4 +1,5 @@
-// How the lines of rays that are to march go over a grid, in double precision and in vectors.
+// How the lines of rays that are to march go over a grid, in double precision and in vectors. What
+// a step cannot do as the single ray does makes a ray undecided.
 #pragma once
 
 #include "terrain/march_lines.h"
@@ -6,8 +7,6 @@
 #include "terrain/terrain.h"
 
 namespace terrview {
-
-// Rays that a step cannot serve as the single ray would become undecided.
 
 // Lines whose directions are given, of any length, over a grid whose map is linear: they are one
 // piece.
