@@ -18,13 +18,15 @@ namespace terrview {
 
 // A solid over a footprint, its heights those above a plane through the origin.
 struct PrismOracle {
+  static constexpr double kBeside = 1e-10;
+
   std::vector<Polygon::Ring> rings;
   glm::dvec2 slope{0, 0};
   double base_m = 0;
   std::function<double(glm::dvec2)> roof_m;
   double lowest_roof_m = 0;
   double highest_roof_m = 0;
-  int steps = 4000;  // through the heights of the roof
+  int steps = 400;  // through the heights of the roof
 
   [[nodiscard]] bool over_footprint(glm::dvec2 p) const {
     bool inside = false;
@@ -73,21 +75,48 @@ struct PrismOracle {
     return all;
   }
 
-  // The first distance at which the ray passes from outside to inside or back.
+  // Below the roof, which goes on beside the footprint.
+  [[nodiscard]] double depth_m(const glm::dvec3& p) const {
+    return roof_m(glm::dvec2(p)) - height_m(p);
+  }
+
+  // Between two distances, that at which the ray is deepest below the roof, or highest above it.
+  [[nodiscard]] double turn_m(const Ray& ray, double low, double high, bool deepest) const {
+    const glm::dvec3 d = glm::normalize(ray.direction);
+    for (int third = 0; third < 100; ++third) {
+      const double left = low + (high - low) / 3;
+      const double right = high - (high - low) / 3;
+      const bool rises = depth_m(ray.origin_m + left * d) < depth_m(ray.origin_m + right * d);
+      (rises == deepest ? low : high) = rises == deepest ? left : right;
+    }
+    return (low + high) / 2;
+  }
+
+  // The first distance at which the ray passes from outside to inside or back: between two
+  // candidates, beside one of them (where it cuts the edge of a wall and the roof), or where it
+  // grazes the roof between them.
   [[nodiscard]] std::optional<double> first_m(const Ray& ray) const {
     const glm::dvec3 d = glm::normalize(ray.direction);
-    const auto inside = [&](double t) { return contains(ray.origin_m + t * d); };
     const std::vector<double> at = candidates_m(ray);
-    double before = 0;
-    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-      double after = (at[i] + at[i + 1]) / 2;
-      if (inside(after) == inside(before)) {
-        before = after;
-        continue;
-      }
+    std::vector<double> all{0};
+    for (std::size_t i = 0; i + 1 < at.size(); ++i)
+      all.insert(all.end(), {at[i] + kBeside, (at[i] + at[i + 1]) / 2, at[i + 1] - kBeside});
+    std::sort(all.begin(), all.end());
+    std::vector<double> depths_m;
+    for (const double t : all) depths_m.push_back(depth_m(ray.origin_m + t * d));
+
+    const bool begins_inside = contains(ray.origin_m);
+    const auto is_past = [&](double t) { return contains(ray.origin_m + t * d) != begins_inside; };
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      double after = all[i];
+      const bool turns =
+          i + 1 < all.size() && (depths_m[i] > depths_m[i - 1]) != (depths_m[i + 1] > depths_m[i]);
+      if (!is_past(after) && turns) after = turn_m(ray, all[i - 1], all[i + 1], !begins_inside);
+      if (!is_past(after)) continue;
+      double before = all[i - 1];
       for (int halving = 0; halving < 100; ++halving) {
         const double middle = (before + after) / 2;
-        (inside(middle) == inside(before) ? before : after) = middle;
+        (is_past(middle) ? after : before) = middle;
       }
       return after;
     }
