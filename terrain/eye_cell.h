@@ -17,6 +17,9 @@ struct EyeCell {
     }
   }
 
+  // Not on it, nor below. Where there is none, too.
+  [[nodiscard]] bool is_above_ground() const { return column < 0 || z_m < 0; }
+
   double u;
   double v;
   // Where the eye is not over ground, no cell is its cell.

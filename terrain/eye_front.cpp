@@ -10,7 +10,9 @@
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 
+#include "terrain/eye_cell.h"
 #include "terrain/eye_tracks.h"
+#include "terrain/line_starts.h"
 #include "terrain/sector_bounds.h"
 #include "terrain/vector_limits.h"
 
@@ -23,6 +25,12 @@ namespace {
 // between the corners. Rays that look at floats stray by up to half of it.
 constexpr double kStraightMargin_cells = 0.03;
 constexpr double kBentMargin_cells = 4 * GroundMap::kTrackError_cells;
+
+// Lines of the grid are looked at one by one where wedges are narrower, and no further.
+constexpr double kWidest_cells = 2;
+constexpr double kFurthest_cells = 512;
+// As far as that, places in floats are off by less.
+constexpr double kLineMargin_cells = 0x1p-9;
 
 // The most posts along u or v that a metre of ground is worth.
 double posts_per_metre(const GroundMap& map) {
@@ -56,20 +64,77 @@ int bin_of(double slope) {
   return std::min(static_cast<int>(start_bin(slope)), EyeFront::kStartBins - 1);
 }
 
-// Above the rounding with which a ray finds its bin in floats, in bins.
-constexpr double kBinMargin = 1e-3;
+// How many bins a bound is not below, with rounding.
+std::size_t bins_up_to(float bound) {
+  if (std::isinf(bound)) return bound < 0 ? 0 : EyeFront::kStartBins;
+  return static_cast<std::size_t>(start_bin(bound) + EyeFront::kBinMargin) + 1;
+}
+
+// Above the rounding of floats.
+constexpr float kShrink = 1 - 0x1p-20F;
+
+// Somewhat nearer than a distance.
+float before(float distance_m, float margin_m) {
+  return std::max(0.0F, distance_m * kShrink - margin_m);
+}
 
 // By bin, the inverse of its lowest slope: that of the ray which meets the ground first.
 const std::array<float, EyeFront::kStartBins>& inverse_bin_slopes() {
   static const auto inverses = [] {
     std::array<float, EyeFront::kStartBins> values{};
     for (std::size_t bin = 0; bin < values.size(); ++bin) {
-      const double q = (static_cast<double>(bin) - kBinMargin) / (EyeFront::kStartBins / 2) - 1;
+      const double q =
+          (static_cast<double>(bin) - EyeFront::kBinMargin) / (EyeFront::kStartBins / 2) - 1;
       values[bin] = static_cast<float>((1 - std::abs(q)) / (EyeFront::kHalfwaySlope * q));
     }
     return values;
   }();
   return inverses;
+}
+
+// The starts of a wedge, from low slopes to high ones, as rings have them.
+class RingStarts {
+ public:
+  RingStarts(std::span<float> starts_m, double margin_m)
+      : starts_m_(starts_m), margin_m_(static_cast<float>(margin_m)) {}
+
+  // Ground in a ring, no steeper than `bound`; no ring not yet met is nearer.
+  void meet(float near_m, float far_m, float bound) {
+    if (bound <= highest_) return;
+    highest_ = bound;
+    const std::size_t end = std::min(bins_up_to(bound), starts_m_.size());
+    const float begins_m = before(near_m, margin_m_);
+    // Below the horizon no ground is above `bound` times its far end: a ray comes down to that
+    // height later than to the near one.
+    const float depth_m = bound >= 0 ? 0 : far_m * bound * kShrink;
+    for (; filled_ < end; ++filled_) {
+      const float down_m = depth_m * inverse_bin_slopes()[filled_] * kShrink - margin_m_;
+      starts_m_[filled_] = std::min(starts_m_[filled_], std::max(begins_m, down_m));
+    }
+  }
+
+  // Goes on with the first bin of which nothing is known nearer than `known_m`.
+  void skip(float known_m) {
+    while (filled_ < starts_m_.size() && starts_m_[filled_] < known_m) ++filled_;
+  }
+
+  [[nodiscard]] bool are_full() const { return filled_ == starts_m_.size(); }
+
+ private:
+  std::span<float> starts_m_;
+  float margin_m_;
+  std::size_t filled_ = 0;
+  float highest_ = -std::numeric_limits<float>::infinity();
+};
+
+// Makes starts of the distances at which the ground of each bin begins: rays of a bin may meet that
+// of the bins above it as well.
+void spread_down(std::span<float> starts_m, double margin_m) {
+  float nearest_m = std::numeric_limits<float>::infinity();
+  for (std::size_t i = starts_m.size(); i-- > 0;) {
+    nearest_m = std::min(nearest_m, starts_m[i]);
+    starts_m[i] = before(nearest_m, static_cast<float>(margin_m));
+  }
 }
 
 }  // namespace
@@ -85,6 +150,8 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
       ceilings_(*terrain.layers()[0].ceilings),
       wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
       margin_cells_(terrain.layers()[0].map->linear() ? kStraightMargin_cells : kBentMargin_cells),
+      line_margin_cells_(terrain.layers()[0].map->linear() ? kLineMargin_cells : kBentMargin_cells),
+      is_above_ground_(EyeCell(terrain).is_above_ground()),
       // Rays that rise may look over a near ridge and come far.
       highest_slope_(options.highest_slope < 0 ? static_cast<float>(options.highest_slope)
                                                : std::numeric_limits<float>::infinity()),
@@ -111,8 +178,9 @@ void EyeFront::lay_rings(double wedge_rad) {
   const double per_metre = posts_per_metre(*terrain_.layers()[0].map);
   const double reach_m = terrain_.reach_m();
   margin_m_ = margin_cells_ / per_metre / 2;
+  furthest_line_m_ = std::min(kFurthest_cells, kWidest_cells / wedge_rad) / per_metre;
   ring_m_.push_back(0);
-  int level = 0;
+  int level = std::min(2, ceilings_.last_level());
   while (ring_m_.back() < reach_m) {
     const double near_m = ring_m_.back();
     // Of 2^level cells, what the margins leave.
@@ -161,7 +229,7 @@ void EyeFront::make(int group) const {
     std::fill_n(bounds + made * kGroup, (rings.size() + 1 - made) * kGroup,
                 std::numeric_limits<float>::infinity());
     make_coarse_bounds(group);
-    make_starts(group);
+    make_starts(group, edges);
   });
 }
 
@@ -190,37 +258,37 @@ void EyeFront::make_coarse_bounds(int group) const {
   std::fill_n(coarse + (coarse_count - 1) * kGroup, kGroup, std::numeric_limits<float>::infinity());
 }
 
-void EyeFront::make_starts(int group) const {
-  // Above that of the floats.
-  constexpr float kShrink = 1 - 0x1p-20F;
-  constexpr float kNever = std::numeric_limits<float>::infinity();
-  const auto& inverse_slopes = inverse_bin_slopes();
-  const auto count = static_cast<std::size_t>(rings()) + 1;
-  const auto margin_m = static_cast<float>(margin_m_);
-  const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * count * kGroup;
+std::size_t EyeFront::ring_before(float distance_m) const {
+  if (!(distance_m < near_m_.back())) return static_cast<std::size_t>(rings());
+  const auto step = static_cast<std::size_t>(distance_m / step_m_);
+  const std::int32_t ring = ring_at_step_[std::min(step, ring_at_step_.size() - 1)];
+  return static_cast<std::size_t>(std::max(ring - 1, 0));
+}
+
+void EyeFront::make_starts(int group, const WedgeEdges& edges) const {
+  constexpr auto kFew = static_cast<std::size_t>(kStartBins);
+  const auto count = static_cast<std::size_t>(rings());
+  const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * (count + 1) * kGroup;
+  float* group_starts_m = starts_m_.get() + static_cast<std::size_t>(group) * kGroup * kFew;
+  std::fill_n(group_starts_m, kGroup * kFew, std::numeric_limits<float>::infinity());
+  WedgeDistances known_m{};
+  if (is_above_ground_)
+    known_m = meet_lines(terrain_, edges,
+                         {line_margin_cells_, furthest_line_m_, highest_slope_, last_bin_},
+                         group_starts_m);
   for (std::size_t i = 0; i < kGroup; ++i) {
-    float* starts_m = starts_m_.get() + (static_cast<std::size_t>(group) * kGroup + i) * kStartBins;
-    float highest = -kNever;
-    int filled = first_bin_;
-    for (std::size_t ring = 0; ring < count && filled <= last_bin_; ++ring) {
-      const float bound = bounds[ring * kGroup + i];
-      if (bound <= highest) continue;
-      highest = bound;
-      const double bin = std::isinf(bound) ? kStartBins : start_bin(bound) + kBinMargin;
-      const int end = std::min(static_cast<int>(bin), last_bin_) + 1;
-      const bool none = ring == count - 1;
-      const float near_m =
-          none ? kNever : static_cast<float>(std::max(0.0, ring_m_[ring] - margin_m_)) * kShrink;
-      // Below the horizon no ground of the ring is above `bound` times its far end: a ray comes
-      // down to that height later than to the ring.
-      const float depth_m =
-          none || bound >= 0 ? 0 : static_cast<float>(ring_m_[ring + 1]) * bound * kShrink;
-      for (; filled < end; ++filled) {
-        const float down_m = depth_m * inverse_slopes[static_cast<std::size_t>(filled)];
-        starts_m[filled] = std::max(near_m, down_m * kShrink - margin_m);
-      }
+    const std::span<float> starts_m(group_starts_m + i * kFew,
+                                    static_cast<std::size_t>(last_bin_) + 1);
+    spread_down(starts_m, margin_m_);
+    RingStarts by_rings(starts_m, margin_m_);
+    by_rings.skip(known_m[i]);
+    for (std::size_t ring = ring_before(known_m[i]); ring < count && !by_rings.are_full(); ++ring) {
+      const float far_m = near_m_[ring + 1];
+      if (far_m <= known_m[i]) continue;
+      by_rings.meet(std::max(near_m_[ring], known_m[i]), far_m, bounds[ring * kGroup + i]);
     }
-    starts_m[first_bin_] = 0;
+    // Slopes below those of the first bin are in it too.
+    starts_m[static_cast<std::size_t>(first_bin_)] = 0;
   }
 }
 

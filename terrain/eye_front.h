@@ -31,6 +31,8 @@ struct EyeFrontOptions {
   double highest_slope = std::numeric_limits<double>::infinity();
 };
 
+struct WedgeEdges;
+
 class EyeFront {
  public:
   static constexpr int kGroupBits = 4;
@@ -41,6 +43,8 @@ class EyeFront {
   static constexpr int kStartBinBits = 11;
   static constexpr int kStartBins = 1 << kStartBinBits;
   static constexpr double kHalfwaySlope = 0.25;
+  // Above the rounding with which a ray finds its bin in floats, in bins.
+  static constexpr double kBinMargin = 1e-3;
 
   // Whether a front can be made: within_vector_limits(), with ceilings, under an affine map or one
   // with EyeTracks.
@@ -91,7 +95,9 @@ class EyeFront {
   void lay_rings(double wedge_rad);
   void index_rings();
   void make_coarse_bounds(int group) const;
-  void make_starts(int group) const;
+  void make_starts(int group, const WedgeEdges& edges) const;
+  // That in which a distance lies, or the one before; beyond the last, rings().
+  [[nodiscard]] std::size_t ring_before(float distance_m) const;
 
   const Terrain& terrain_;
   const HeightCeilings& ceilings_;
@@ -103,6 +109,9 @@ class EyeFront {
   std::vector<int> levels_;  // by ring: of the blocks that cover its sectors
   std::vector<std::int32_t> ring_at_step_;
   double step_m_ = 0;  // the narrowest ring
+  double line_margin_cells_;
+  double furthest_line_m_ = 0;
+  bool is_above_ground_;
   float highest_slope_;
   int first_bin_;
   int last_bin_;

@@ -39,7 +39,7 @@ class EyeScout {
         finds_(finds),
         search_(front),
         lines_(front.terrain()),
-        walk_(front.terrain(), lines_.posts_per_m()) {}
+        walk_(front.terrain(), lines_.posts_per_m(), front.margin_m()) {}
 
   // Returns how many cells were compared with rays.
   std::int64_t run() {

@@ -179,10 +179,9 @@ bool has_scouts(const EyeFront& front) {
   if (!(terrain.frame().z_scale > 0)) return false;
   const glm::dvec2 eye_uv = layer.map->to_grid({0, 0});
   const auto near = [](double uv, int posts) { return std::abs(uv) + posts < kMostPosts; };
-  const EyeCell eye(terrain);
   // On the ground floats cannot tell on which side a ray leaves it.
-  const bool is_above = eye.column < 0 || eye.z_m < 0;
-  return near(eye_uv.x, layer.grid->columns) && near(eye_uv.y, layer.grid->rows) && is_above;
+  return near(eye_uv.x, layer.grid->columns) && near(eye_uv.y, layer.grid->rows) &&
+         EyeCell(terrain).is_above_ground();
 }
 
 // Traces the rays that floats say nothing of.

@@ -56,12 +56,14 @@ class ScoutWalk {
     MF at_knot;  // their tracks go on with another piece
   };
 
-  // On no line are more than `posts_per_m` posts passed a metre, along u or v.
-  ScoutWalk(const Terrain& terrain, double posts_per_m)
+  // On no line are more than `posts_per_m` posts passed a metre, along u or v. Walks begin where
+  // they are clear for `margin_m` more.
+  ScoutWalk(const Terrain& terrain, double posts_per_m, double margin_m)
       : grid_(*terrain.layers()[0].grid),
         frame_(terrain.frame()),
         scale_(static_cast<float>(frame_.z_scale)),
         eye_height_m_(static_cast<float>(frame_.eye_height_m)),
+        margin_m_(static_cast<float>(margin_m)),
         stray_growth_(kPlaceGrowth * static_cast<float>(posts_per_m)),
         last_post_(static_cast<std::uint32_t>(grid_.heights_m.size() - 1)),
         height_terms_(
@@ -91,7 +93,8 @@ class ScoutWalk {
   // Cells compared with rays.
   [[nodiscard]] std::int64_t tests() const { return tests_; }
 
-  // Puts the active walks into their cells. At the border of the grid they are unsure.
+  // Puts the active walks into their cells. They are unsure at the border of the grid, and beside
+  // lines that they cross so slowly that they may be further from them than they are clear.
   VEC_INLINE void seat(Walk& w, Fates& fates) const {
     const VF u = w.rate_u * w.g + w.base_u;
     const VF v = w.rate_v * w.g + w.base_v;
@@ -100,7 +103,8 @@ class ScoutWalk {
     const VF stray = stray_at(w.g);
     const MF inside_u = hn::And(u - stray > of(first_column_), u + stray < of(last_column_ + 1));
     const MF inside_v = hn::And(v - stray > of(first_row_), v + stray < of(last_row_ + 1));
-    const MF seated = hn::And(inside_u, inside_v);
+    const MF tells = hn::And(tells_side(u, stray, w.metres_u), tells_side(v, stray, w.metres_v));
+    const MF seated = hn::And(hn::And(inside_u, inside_v), tells);
     fates.unsure = hn::Or(fates.unsure, hn::AndNot(seated, fates.active));
     fates.active = hn::And(fates.active, seated);
   }
@@ -132,6 +136,11 @@ class ScoutWalk {
 
   // How far places on the line are off, in posts.
   VEC_INLINE VF stray_at(VF g) const { return of(stray_growth_) * g + of(kPlace); }
+
+  VEC_INLINE MF tells_side(VF place, VF stray, VF metres) const {
+    return hn::Or(hn::Abs(place - hn::Round(place)) > stray,
+                  stray * hn::Abs(metres) < of(margin_m_));
+  }
 
   // What does not change while a ray crosses a few cells. A walk leaves a cell over a column or a
   // row; of both, the next line ahead, the step beyond, and how far off the crossing may be.
@@ -265,6 +274,7 @@ class ScoutWalk {
   const VerticalFrame& frame_;
   float scale_;
   float eye_height_m_;
+  float margin_m_;
   float stray_growth_;
   std::uint32_t last_post_;
   float height_terms_;

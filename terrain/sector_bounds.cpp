@@ -11,9 +11,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "terrain/eye_tracks.h"
 #include "terrain/sector_bounds.h"
-#include "terrain/square_sectors.h"
+#include "terrain/sector_slopes-inl.h"
 #include "terrain/vec_inline.h"
 #include "terrain/vector_ground-inl.h"
 
@@ -21,20 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace terrview {
 namespace HWY_NAMESPACE {
 
-// Larger than the rounding of a clearance, as a share of the numbers it comes from.
-constexpr double kBoundRounding = 1e-11;
-
 class SectorBounds {
  public:
   SectorBounds(const Terrain& terrain, const WedgeEdges& edges, double margin_cells)
-      : frame_(terrain.frame()),
+      : slopes_(terrain.frame(), edges),
         posts_(*terrain.layers()[0].grid),
-        flat_(terrain.frame().north_curvature_per_m == 0 &&
-              terrain.frame().east_curvature_per_m == 0),
         margin_cells_(margin_cells),
         last_cell_(terrain.layers()[0].grid->columns - 2, terrain.layers()[0].grid->rows - 2),
-        eye_height_m_(terrain.frame().eye_height_m),
-        z_scale_(terrain.frame().z_scale),
         edges_(edges) {}
 
   // The bounds of the sectors of lanes `first`, ... of the group.
@@ -42,17 +34,10 @@ class SectorBounds {
     M outside;
     M wide;
     const V height = highest(ring, first, outside, wide);
-    const V z = ceiling(ring, first, height);
-    const V slack = of(kBoundRounding) *
-                    (hn::Abs(of(z_scale_) * height) + of(std::abs(eye_height_m_)) + hn::Abs(z));
-    const V top = z + slack;
-    const V near = ring.near_m > 0 ? top / of(ring.near_m) : hn::Inf(D());
-    const V bound = hn::IfThenElse(top < of(0), top / of(ring.far_m), near);
-    // Above the rounding to a float.
-    const V rounded_up = bound + hn::Abs(bound) * of(0x1p-22) + of(1e-30);
-    const M empty = hn::Or(outside, height == of(-std::numeric_limits<double>::infinity()));
-    const V known = hn::IfThenElse(wide, hn::Inf(D()), rounded_up);
-    return hn::IfThenElse(empty, of(-std::numeric_limits<double>::infinity()), known);
+    const V bound = slopes_.highest(first, of(ring.near_m), of(ring.far_m), height);
+    const V none = of(-std::numeric_limits<double>::infinity());
+    const V known = hn::IfThenElse(hn::AndNot(height == none, wide), hn::Inf(D()), bound);
+    return hn::IfThenElse(outside, none, known);
   }
 
  private:
@@ -130,28 +115,10 @@ class SectorBounds {
     return highest;
   }
 
-  // The highest z over the sector. Along an edge z is monotonic in the distance, or bends by less
-  // than the slack; and in the azimuth, because no wedge crosses an axis.
-  VEC_INLINE V ceiling(const SectorRing& ring, std::size_t first, V height) const {
-    if (flat_) return of(z_scale_) * height - of(eye_height_m_);
-    const V x_a = hn::Load(D(), edges_.x_a.data() + first);
-    const V y_a = hn::Load(D(), edges_.y_a.data() + first);
-    const V x_b = hn::Load(D(), edges_.x_b.data() + first);
-    const V y_b = hn::Load(D(), edges_.y_b.data() + first);
-    const auto at = [&](double distance_m) HWY_ATTR {
-      const V s = of(distance_m);
-      return hn::Max(frame_.z(x_a * s, y_a * s, height), frame_.z(x_b * s, y_b * s, height));
-    };
-    return hn::Max(at(ring.near_m), at(ring.far_m));
-  }
-
-  VectorFrame frame_;
+  SectorSlopes slopes_;
   VectorPosts posts_;
-  bool flat_;
   double margin_cells_;
   glm::dvec2 last_cell_;
-  double eye_height_m_;
-  double z_scale_;
   const WedgeEdges& edges_;
 };
 
@@ -185,60 +152,6 @@ HWY_AFTER_NAMESPACE();
 namespace terrview {
 
 HWY_EXPORT(bound_sectors);
-
-namespace {
-
-// Wider than the rounding with which a ray finds its wedge.
-constexpr double kEdgeMargin = 1e-12;
-
-// The tracks of one edge, as those of each wedge's.
-void set_pieces(std::vector<WedgeEdges::Piece>& pieces, std::size_t wedge, glm::dvec2 direction,
-                const GroundMap& map, glm::dvec2 eye_uv) {
-  const auto set = [wedge](WedgeEdges::Piece& piece, glm::dvec2 start, glm::dvec2 rate) {
-    piece.start_u[wedge] = start.x;
-    piece.start_v[wedge] = start.y;
-    piece.rate_u[wedge] = rate.x;
-    piece.rate_v[wedge] = rate.y;
-  };
-  if (const glm::dmat2* jacobian = map.linear()) {
-    set(pieces[0], eye_uv, *jacobian * direction);
-    return;
-  }
-  const EyeTracks& tracks = *map.eye_tracks();
-  const int sector = sector_of(direction, tracks.sectors_a_side());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const EyeTracks::Start start = tracks.start(sector, static_cast<int>(i), direction);
-    set(pieces[i], start.uv, start.rate);
-  }
-}
-
-}  // namespace
-
-WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map) {
-  WedgeEdges edges;
-  const EyeTracks* tracks = map.eye_tracks();
-  const glm::dvec2 eye_uv = map.to_grid({0, 0});
-  edges.begins_m = tracks ? tracks->knots_m() : std::vector<double>{0, map.reach_m()};
-  edges.begins_m.pop_back();
-  edges.pieces_a.resize(edges.begins_m.size());
-  edges.pieces_b.resize(edges.begins_m.size());
-  for (int i = 0; i < EyeFront::kGroup; ++i) {
-    const int wedge = group * EyeFront::kGroup + i;
-    const int side = wedge / wedges_a_side;
-    const double first = wedge % wedges_a_side;
-    const glm::dvec2 a = sector_edge(side, first - kEdgeMargin * wedges_a_side, wedges_a_side);
-    const glm::dvec2 b = sector_edge(side, first + 1 + kEdgeMargin * wedges_a_side, wedges_a_side);
-    const auto j = static_cast<std::size_t>(i);
-    edges.x_a[j] = a.x;
-    edges.y_a[j] = a.y;
-    edges.x_b[j] = b.x;
-    edges.y_b[j] = b.y;
-    edges.bulge = std::max(edges.bulge, 2 / glm::length(a + b));
-    set_pieces(edges.pieces_a, j, a, map, eye_uv);
-    set_pieces(edges.pieces_b, j, b, map, eye_uv);
-  }
-  return edges;
-}
 
 std::size_t make_bounds(const Terrain& terrain, const WedgeEdges& edges,
                         std::span<const SectorRing> rings, double margin_cells,
