@@ -28,7 +28,7 @@ constexpr double kBentMargin_cells = 4 * GroundMap::kTrackError_cells;
 
 // Lines of the grid are looked at one by one where wedges are narrower, and no further.
 constexpr double kWidest_cells = 2;
-constexpr double kFurthest_cells = 512;
+constexpr double kFurthest_cells = 200;
 // As far as that, places in floats are off by less.
 constexpr double kLineMargin_cells = 0x1p-9;
 

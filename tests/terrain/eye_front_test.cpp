@@ -248,6 +248,44 @@ TEST(EyeFront, IsTightOverAPlain) {
                   1e-6);
 }
 
+// How many cells a ray looks at, from its start to that of its hit.
+int cells_from_start(const WholeFront& whole, const Ray& ray, const Trace& found) {
+  const Terrain& terrain = whole.front().terrain();
+  const TerrainLayer& layer = terrain.layers()[0];
+  const GroundLine line = ground_line(ray);
+  const double start_m = whole.start_m(line.direction, ray_slope(ray));
+  GridWalk walk(*layer.grid, *layer.map, terrain.model(), line, 0, terrain.reach_m());
+  int cells = 0;
+  Span span;
+  while (walk.over_grid() && walk.next(span)) {
+    cells += span.out.g_m > start_m ? 1 : 0;
+    if (span.out.g_m >= found.ground_m) break;
+  }
+  return cells;
+}
+
+// Rough ground, 100 m below, in all directions, along the grid too.
+TEST(EyeFront, StartsRaysNextToTheirHitsWhereCellsAreWiderThanWedges) {
+  Random random(8);
+  const Terrain terrain =
+      make_terrain(make_grid(101, 101, [&](int, int) { return random.uniform(0, 10); }),
+                   {.eye_uv = {50.3, 50.4}, .spacing_m = {30, 30}, .eye_height_m = 100},
+                   SurfaceModel::hyperboloid);
+  const WholeFront whole(terrain, {.wedge_rad = 0.004});
+  int hits = 0;
+  int cells = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const glm::dvec2 across = random_direction(random);
+    const Ray ray{.direction = {across.x, across.y, random.uniform(-0.7, -0.07)}};
+    const Trace found = trace(terrain, terrain.ceiling_m(), ray);
+    if (found.outcome != Outcome::hit) continue;
+    ++hits;
+    cells += cells_from_start(whole, ray, found);
+  }
+  EXPECT_GT(hits, 4900);
+  EXPECT_LT(cells, 1.4 * hits);
+}
+
 TEST(EyeFront, KnowsTheRingOfEveryStep) {
   for_each_front(7, straight, [](Random& /*random*/, const WholeFront& whole) {
     const EyeFront& front = whole.front();
