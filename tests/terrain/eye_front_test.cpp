@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 
 #include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
 
 #include "terrain/grid_walk.h"
@@ -233,6 +235,60 @@ void expect_starts_before_hits(std::uint64_t seed, Terrain (*make)(Random&)) {
 TEST(EyeFront, StartsRaysBeforeTheirHits) { expect_starts_before_hits(5, straight); }
 
 TEST(EyeFront, StartsThemBeforeTheirHitsOnBentTracks) { expect_starts_before_hits(6, bent); }
+
+// A ray that is just below the ground where it crosses a line starts before.
+int expect_starts_before_crossings(const WholeFront& whole, glm::dvec2 direction) {
+  const Terrain& terrain = whole.front().terrain();
+  const TerrainLayer& layer = terrain.layers()[0];
+  const GroundLine line{{0, 0}, direction};
+  GridWalk walk(*layer.grid, *layer.map, terrain.model(), line, 0, terrain.reach_m());
+  int seen = 0;
+  Span span;
+  while (walk.over_grid() && walk.next(span)) {
+    const double g_m = span.out.g_m;
+    if (!span.has_ground || g_m == 0) continue;
+    ++seen;
+    const double height_m = terrain.frame().z_scale * span.out.height_m;
+    const double slope = terrain.frame().at(line.at(g_m)).z_m(height_m) / g_m;
+    EXPECT_LE(whole.start_m(direction, slope), g_m) << direction.x << ", " << direction.y;
+  }
+  return seen;
+}
+
+void expect_starts_before_crossings(std::uint64_t seed, Terrain (*make)(Random&)) {
+  int seen = 0;
+  for_each_front(seed, make, [&](Random& random, const WholeFront& whole) {
+    for (int i = 0; i < 30; ++i)
+      seen += expect_starts_before_crossings(whole, random_direction(random));
+  });
+  EXPECT_GT(seen, 10000);
+}
+
+// A plane, however turned, seen from above it: nothing hides what a start may be late for.
+Terrain sloping(Random& random) {
+  const glm::dvec2 climb(random.chance(0.5) ? 0 : random.uniform(-1, 1), random.uniform(-1, 1));
+  const glm::dvec2 eye_uv(random.uniform(-5, 35), random.uniform(-5, 35));
+  const HeightGrid grid = make_grid(31, 31, [&](int column, int row) {
+    return glm::dot(climb, glm::dvec2(column, row) - eye_uv);
+  });
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  const glm::dmat2 turned(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle));
+  const auto map = std::make_shared<const AffineGroundMap>(
+      eye_uv, glm::dmat2(random.uniform(0.5, 2), 0, 0, 1) * turned, glm::ivec2(31, 31));
+  return {{{.grid = std::make_shared<const HeightGrid>(grid), .map = map}},
+          {.eye_height_m = random.log_uniform(0.1, 20)},
+          SurfaceModel::hyperboloid};
+}
+
+TEST(EyeFront, StartsRaysBeforeEveryCrossing) { expect_starts_before_crossings(9, straight); }
+
+TEST(EyeFront, StartsThemBeforeEveryCrossingOfBentTracks) {
+  expect_starts_before_crossings(10, bent);
+}
+
+TEST(EyeFront, StartsThemBeforeEveryCrossingOfASlope) {
+  expect_starts_before_crossings(11, sloping);
+}
 
 // 100 m above a plain no sector is seen more steeply than its far end.
 TEST(EyeFront, IsTightOverAPlain) {
