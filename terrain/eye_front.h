@@ -7,6 +7,9 @@
 // what is found once serves them all: vertical coherence (Coquillart 1984, chapter 2, 4) for any
 // camera, and for any set of rays from the eye.
 //
+// Where cells are wider than wedges, rays begin later than sectors tell: at the first line of the
+// grid that they may be below (terrain/line_starts.h).
+//
 // Rings are a few cells wide and wedges about a pixel or a few, so that 2 x 2 blocks of one level
 // of HeightCeilings cover a sector. Bounds are floats, rounded up; sectors are widened by more than
 // the rounding of a ray's track.
@@ -80,9 +83,10 @@ class EyeFront {
   // counted.
   [[nodiscard]] const float* bounds_beyond() const { return bounds_beyond_.get(); }
   [[nodiscard]] int coarse_rings() const { return rings() / kStride + 1; }
-  // Where rays of a bin of slopes may first meet the ground: at wedge * kStartBins + bin, for bins
-  // from first_bin() to last_bin(), which stand for all below and above them. Infinity where they
-  // meet none.
+  // Where rays of a bin of slopes may begin: above the ground wherever they cross a line of the grid
+  // nearer than that, so that they meet it in the cell they are in there or beyond. At wedge *
+  // kStartBins + bin, for bins from first_bin() to last_bin(), which stand for all below and above
+  // them. Infinity where they meet none.
   [[nodiscard]] const float* starts_m() const { return starts_m_.get(); }
   [[nodiscard]] int first_bin() const { return first_bin_; }
   [[nodiscard]] int last_bin() const { return last_bin_; }
