@@ -17,7 +17,7 @@ struct EyeCell {
     }
   }
 
-  // Not on it, nor below. Where there is none, too.
+  // Not on it, nor below; also where there is no ground.
   [[nodiscard]] bool is_above_ground() const { return column < 0 || z_m < 0; }
 
   double u;

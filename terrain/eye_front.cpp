@@ -140,7 +140,7 @@ void spread_down(std::span<float> starts_m, double margin_m) {
 }  // namespace
 
 bool EyeFront::serves(const Terrain& terrain) {
-  if (!within_vector_limits(terrain)) return false;
+  if (!within_vector_limits(terrain) || !(terrain.frame().z_scale > 0)) return false;
   const TerrainLayer& layer = terrain.layers()[0];
   return layer.ceilings && (layer.map->linear() || layer.map->eye_tracks());
 }
@@ -266,18 +266,18 @@ std::size_t EyeFront::ring_before(float distance_m) const {
 }
 
 void EyeFront::make_starts(int group, const WedgeEdges& edges) const {
-  constexpr auto kFew = static_cast<std::size_t>(kStartBins);
+  constexpr auto kBins = static_cast<std::size_t>(kStartBins);
   const auto count = static_cast<std::size_t>(rings());
   const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * (count + 1) * kGroup;
-  float* group_starts_m = starts_m_.get() + static_cast<std::size_t>(group) * kGroup * kFew;
-  std::fill_n(group_starts_m, kGroup * kFew, std::numeric_limits<float>::infinity());
+  float* group_starts_m = starts_m_.get() + static_cast<std::size_t>(group) * kGroup * kBins;
+  std::fill_n(group_starts_m, kGroup * kBins, std::numeric_limits<float>::infinity());
   WedgeDistances known_m{};
   if (is_above_ground_)
     known_m = meet_lines(terrain_, edges,
                          {line_margin_cells_, furthest_line_m_, highest_slope_, last_bin_},
                          group_starts_m);
   for (std::size_t i = 0; i < kGroup; ++i) {
-    const std::span<float> starts_m(group_starts_m + i * kFew,
+    const std::span<float> starts_m(group_starts_m + i * kBins,
                                     static_cast<std::size_t>(last_bin_) + 1);
     spread_down(starts_m, margin_m_);
     RingStarts by_rings(starts_m, margin_m_);

@@ -49,8 +49,8 @@ class EyeFront {
   // Above the rounding with which a ray finds its bin in floats, in bins.
   static constexpr double kBinMargin = 1e-3;
 
-  // Whether a front can be made: within_vector_limits(), with ceilings, under an affine map or one
-  // with EyeTracks.
+  // Whether a front can be made: within_vector_limits(), heights upwards, with ceilings, under an
+  // affine map or one with EyeTracks.
   [[nodiscard]] static bool serves(const Terrain& terrain);
 
   // `terrain` must outlive it.
@@ -83,8 +83,8 @@ class EyeFront {
   // counted.
   [[nodiscard]] const float* bounds_beyond() const { return bounds_beyond_.get(); }
   [[nodiscard]] int coarse_rings() const { return rings() / kStride + 1; }
-  // Where rays of a bin of slopes may begin: above the ground wherever they cross a line of the grid
-  // nearer than that, so that they meet it in the cell they are in there or beyond. At wedge *
+  // Where rays of a bin of slopes may begin: above the ground wherever they cross a line of the
+  // grid nearer than that, so that they meet it in the cell they are in there or beyond. At wedge *
   // kStartBins + bin, for bins from first_bin() to last_bin(), which stand for all below and above
   // them. Infinity where they meet none.
   [[nodiscard]] const float* starts_m() const { return starts_m_.get(); }

@@ -176,7 +176,6 @@ bool has_scouts(const EyeFront& front) {
   constexpr double kMostPosts = 1 << 15;
   const Terrain& terrain = front.terrain();
   const TerrainLayer& layer = terrain.layers()[0];
-  if (!(terrain.frame().z_scale > 0)) return false;
   const glm::dvec2 eye_uv = layer.map->to_grid({0, 0});
   const auto near = [](double uv, int posts) { return std::abs(uv) + posts < kMostPosts; };
   // On the ground floats cannot tell on which side a ray leaves it.

@@ -149,20 +149,25 @@ class LineMeeter {
     const M forward = a.rate_across() > of(0);
     const V step = hn::IfThenElse(forward, of(1), of(-1));
     V line = first_line(a, kind, forward);
-    V highest = of(-kInfinity);  // of parts no nearer than which all that follow are
+    V highest = of(-kInfinity);  // of parts than which none that follows is nearer
     V end_m = of(0);
     Parts before{of(0), of(0), of(-kInfinity)};
     M going = a.rate_across() * b.rate_across() > of(0);
     while (true) {
       const M inside = hn::And(line >= of(0), line <= of(kind.last_across));
-      end_m = hn::IfThenElse(hn::AndNot(inside, going), of(kInfinity), end_m);
+      // Bent tracks may come back.
+      const V left_m = is_straight_ ? of(kInfinity) : before.near_m;
+      end_m = hn::IfThenElse(hn::AndNot(inside, going), left_m, end_m);
       going = hn::And(going, inside);
       if (hn::AllFalse(D(), going)) return end_m;
       const Stretch stretch = stretch_of(kind, a.cross(line), b.cross(line));
       const M onward =
           hn::And(hn::And(a.rate_across() * step > of(0), b.rate_across() * step > of(0)),
                   stretch.near_m >= before.near_m);
-      const M known = hn::And(hn::And(onward, stretch.is_short), stretch.near_m < of(furthest_m_));
+      // Places in floats are known well enough there.
+      const M is_near =
+          hn::And(stretch.near_m < of(furthest_m_), stretch.far_m < of(4 * furthest_m_));
+      const M known = hn::And(hn::And(onward, stretch.is_short), is_near);
       const M lost = hn::AndNot(known, going);
       end_m = hn::IfThenElse(lost, hn::IfThenElse(onward, stretch.near_m, before.near_m), end_m);
       going = hn::AndNot(lost, going);
@@ -179,6 +184,8 @@ class LineMeeter {
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr double kMostParts = 8;
+  // Further than this, ground below the eye has a slope.
+  static constexpr double kLeast_m = 1e-9;
   using Crossing = EdgeTracks::Crossing;
 
   // Where they stand, or where they come to the grid.
@@ -206,7 +213,7 @@ class LineMeeter {
     s.off_m = hn::Max(a.off_m, b.off_m);
     s.off_posts = hn::Max(a.off_posts, b.off_posts);
     s.near_m = nearest(hn::Min(a.at_m, b.at_m) - s.off_m);
-    s.far_m = hn::Max(a.at_m, b.at_m) + s.off_m;
+    s.far_m = hn::Max(hn::Max(a.at_m, b.at_m) + s.off_m, of(kLeast_m));
     const V low = hn::Min(a.along, b.along) - s.off_posts;
     const V high = hn::Max(a.along, b.along) + s.off_posts;
     s.is_over = hn::And(high >= of(0), low <= of(kind.last_along));

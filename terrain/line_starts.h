@@ -27,7 +27,7 @@ struct LineStartsOptions {
 
 // Lowers starts_m[wedge * EyeFront::kStartBins + bin], of the bin in which a part of a line is seen
 // or below, to the distance at which the wedge comes to it. Returns up to where all parts were met,
-// but for those that do not matter: infinite where there are no others.
+// but for those that do not matter: infinite where there are no others, on straight tracks.
 [[nodiscard]] WedgeDistances meet_lines(const Terrain& terrain, const WedgeEdges& edges,
                                         const LineStartsOptions& options, float* starts_m);
 

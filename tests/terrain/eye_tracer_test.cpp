@@ -102,6 +102,31 @@ TEST(TraceEyeRays, HasThemOnTracksThatLeaveTheGridAndComeBack) {
   EXPECT_GT(expect_hits_of_single_rays(front, directions), 500);
 }
 
+// A wall one cell thin, that tracks leave the grid to come back to.
+TEST(TraceEyeRays, HasThemOnAWallThatIsMetFromOutside) {
+  Random random(10);
+  int met = 0;
+  for (int i = 0; i < 60; ++i) {
+    const int wall = random.integer(1, 10);
+    const HeightGrid grid = make_grid(
+        40, 150, [&](int column, int) { return column == wall ? 100 : random.uniform(0, 1); });
+    const glm::dvec2 eye_uv(random.uniform(-20, 1), random.uniform(0, 20));
+    const auto map = std::make_shared<const ParabolicGroundMap>(
+        eye_uv, 1.0, random.uniform(0.001, 0.006), 150.0);
+    const Terrain terrain({{.grid = std::make_shared<const HeightGrid>(grid), .map = map}},
+                          {.eye_height_m = random.uniform(20, 150)}, SurfaceModel::hyperboloid);
+    if (!EyeFront::serves(terrain)) continue;
+    std::vector<glm::dvec3> directions;
+    for (int j = 0; j < 100; ++j) {
+      const double azimuth_rad = random.uniform(-0.3, 0.3);
+      const double slope = random.uniform(-0.7, 0.7);
+      directions.emplace_back(std::sin(azimuth_rad), std::cos(azimuth_rad), slope);
+    }
+    met += expect_hits_of_single_rays(EyeFront(terrain, {.wedge_rad = 0.004}), directions);
+  }
+  EXPECT_GT(met, 500);
+}
+
 // The eye stands beside a row by the least there is, and the row's tracks begin their next pieces
 // on it: a leap that settles in a cell on the other side must come to an end all the same.
 TEST(TraceEyeRays, HasThemAlongALineThatRoundingPutsOnBothSides) {
