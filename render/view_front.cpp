@@ -4,12 +4,17 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/pixel_lattice.h"
+
 namespace terrview {
 namespace {
 
 // Wedges a pixel wide would cost more than they spare. Of a view that looks down: where its rays
 // mostly go, since a pixel spans more azimuth the nearer it is to the nadir.
 constexpr double kWedge_px = 6;
+
+// Rays below it meet the ground in the first cell or two whatever is known of it.
+constexpr double kSteep = -1;
 
 // The slopes at points of the image all over: for most rays, which is all that counts.
 EyeFrontOptions options_of(const Camera& camera) {
@@ -30,7 +35,8 @@ EyeFrontOptions options_of(const Camera& camera) {
     }
   return {.wedge_rad = kWedge_px * options.fov_rad / camera.whole_px().x / across,
           .lowest_slope = lowest,
-          .highest_slope = highest};
+          .highest_slope = highest,
+          .looks_at_lines = highest > kSteep && !column_view(camera)};
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
       wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
       margin_cells_(terrain.layers()[0].map->linear() ? kStraightMargin_cells : kBentMargin_cells),
       line_margin_cells_(terrain.layers()[0].map->linear() ? kLineMargin_cells : kBentMargin_cells),
-      is_above_ground_(EyeCell(terrain).is_above_ground()),
+      looks_at_lines_(options.looks_at_lines && EyeCell(terrain).is_above_ground()),
       // Rays that rise may look over a near ridge and come far.
       highest_slope_(options.highest_slope < 0 ? static_cast<float>(options.highest_slope)
                                                : std::numeric_limits<float>::infinity()),
@@ -180,7 +180,8 @@ void EyeFront::lay_rings(double wedge_rad) {
   margin_m_ = margin_cells_ / per_metre / 2;
   furthest_line_m_ = std::min(kFurthest_cells, kWidest_cells / wedge_rad) / per_metre;
   ring_m_.push_back(0);
-  int level = std::min(2, ceilings_.last_level());
+  // Where lines are looked at, rings say little.
+  int level = std::min(looks_at_lines_ ? 2 : 0, ceilings_.last_level());
   while (ring_m_.back() < reach_m) {
     const double near_m = ring_m_.back();
     // Of 2^level cells, what the margins leave.
@@ -272,7 +273,7 @@ void EyeFront::make_starts(int group, const WedgeEdges& edges) const {
   float* group_starts_m = starts_m_.get() + static_cast<std::size_t>(group) * kGroup * kBins;
   std::fill_n(group_starts_m, kGroup * kBins, std::numeric_limits<float>::infinity());
   WedgeDistances known_m{};
-  if (is_above_ground_)
+  if (looks_at_lines_)
     known_m = meet_lines(terrain_, edges,
                          {line_margin_cells_, furthest_line_m_, highest_slope_, last_bin_},
                          group_starts_m);

@@ -32,6 +32,9 @@ struct EyeFrontOptions {
   // What the slopes of most rays lie between. Others are traced as exactly, but not as fast.
   double lowest_slope = -std::numeric_limits<double>::infinity();
   double highest_slope = std::numeric_limits<double>::infinity();
+  // Whether starts are made of lines, too: of use where rays neither follow others nor look so
+  // steeply down that they meet the ground in their first cell.
+  bool looks_at_lines = true;
 };
 
 struct WedgeEdges;
@@ -115,7 +118,7 @@ class EyeFront {
   double step_m_ = 0;  // the narrowest ring
   double line_margin_cells_;
   double furthest_line_m_ = 0;
-  bool is_above_ground_;
+  bool looks_at_lines_;
   float highest_slope_;
   int first_bin_;
   int last_bin_;

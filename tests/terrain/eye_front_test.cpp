@@ -76,6 +76,7 @@ class WholeFront {
 EyeFrontOptions random_options(Random& random) {
   EyeFrontOptions options;
   options.wedge_rad = random.log_uniform(0.003, 1);
+  options.looks_at_lines = random.chance(0.8);
   if (random.chance(0.5)) {
     options.lowest_slope = random.uniform(-3, 0.5);
     options.highest_slope = options.lowest_slope + random.uniform(0, 2);
