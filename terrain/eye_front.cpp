@@ -92,23 +92,27 @@ const std::array<float, EyeFront::kStartBins>& inverse_bin_slopes() {
   return inverses;
 }
 
-// The starts of a wedge, from low slopes to high ones, as rings have them.
+// The starts of a wedge from bin `first_bin` on, as rings have them.
 class RingStarts {
  public:
-  RingStarts(std::span<float> starts_m, double margin_m)
-      : starts_m_(starts_m), margin_m_(static_cast<float>(margin_m)) {}
+  RingStarts(std::span<float> starts_m, int first_bin, double margin_m)
+      : starts_m_(starts_m),
+        inverses_(std::span(inverse_bin_slopes()).subspan(static_cast<std::size_t>(first_bin))),
+        first_bin_(static_cast<std::size_t>(first_bin)),
+        margin_m_(static_cast<float>(margin_m)) {}
 
   // Ground in a ring, no steeper than `bound`; no ring not yet met is nearer.
   void meet(float near_m, float far_m, float bound) {
     if (bound <= highest_) return;
     highest_ = bound;
-    const std::size_t end = std::min(bins_up_to(bound), starts_m_.size());
+    const std::size_t end =
+        std::min(std::max(bins_up_to(bound), first_bin_) - first_bin_, starts_m_.size());
     const float begins_m = before(near_m, margin_m_);
     // Below the horizon no ground is above `bound` times its far end: a ray comes down to that
     // height later than to the near one.
     const float depth_m = bound >= 0 ? 0 : far_m * bound * kShrink;
     for (; filled_ < end; ++filled_) {
-      const float down_m = depth_m * inverse_bin_slopes()[filled_] * kShrink - margin_m_;
+      const float down_m = depth_m * inverses_[filled_] * kShrink - margin_m_;
       starts_m_[filled_] = std::min(starts_m_[filled_], std::max(begins_m, down_m));
     }
   }
@@ -122,6 +126,8 @@ class RingStarts {
 
  private:
   std::span<float> starts_m_;
+  std::span<const float> inverses_;
+  std::size_t first_bin_;
   float margin_m_;
   std::size_t filled_ = 0;
   float highest_ = -std::numeric_limits<float>::infinity();
@@ -271,17 +277,22 @@ void EyeFront::make_starts(int group, const WedgeEdges& edges) const {
   const auto count = static_cast<std::size_t>(rings());
   const float* bounds = bounds_.get() + static_cast<std::size_t>(group) * (count + 1) * kGroup;
   float* group_starts_m = starts_m_.get() + static_cast<std::size_t>(group) * kGroup * kBins;
-  std::fill_n(group_starts_m, kGroup * kBins, std::numeric_limits<float>::infinity());
+  const auto starts_of = [&](std::size_t wedge) {
+    return std::span(group_starts_m + wedge * kBins, static_cast<std::size_t>(last_bin_) + 1)
+        .subspan(static_cast<std::size_t>(first_bin_));
+  };
+  for (std::size_t i = 0; i < kGroup; ++i)
+    std::ranges::fill(starts_of(i), std::numeric_limits<float>::infinity());
   WedgeDistances known_m{};
   if (looks_at_lines_)
-    known_m = meet_lines(terrain_, edges,
-                         {line_margin_cells_, furthest_line_m_, highest_slope_, last_bin_},
-                         group_starts_m);
+    known_m =
+        meet_lines(terrain_, edges,
+                   {line_margin_cells_, furthest_line_m_, highest_slope_, first_bin_, last_bin_},
+                   group_starts_m);
   for (std::size_t i = 0; i < kGroup; ++i) {
-    const std::span<float> starts_m(group_starts_m + i * kBins,
-                                    static_cast<std::size_t>(last_bin_) + 1);
-    spread_down(starts_m, margin_m_);
-    RingStarts by_rings(starts_m, margin_m_);
+    const std::span<float> starts_m = starts_of(i);
+    if (looks_at_lines_) spread_down(starts_m, margin_m_);
+    RingStarts by_rings(starts_m, first_bin_, margin_m_);
     by_rings.skip(known_m[i]);
     for (std::size_t ring = ring_before(known_m[i]); ring < count && !by_rings.are_full(); ++ring) {
       const float far_m = near_m_[ring + 1];
@@ -289,7 +300,7 @@ void EyeFront::make_starts(int group, const WedgeEdges& edges) const {
       by_rings.meet(std::max(near_m_[ring], known_m[i]), far_m, bounds[ring * kGroup + i]);
     }
     // Slopes below those of the first bin are in it too.
-    starts_m[static_cast<std::size_t>(first_bin_)] = 0;
+    starts_m[0] = 0;
   }
 }
 

@@ -103,7 +103,8 @@ class EdgeTracks {
 // A table of starts, by wedges from the first lane's on.
 class StartTable {
  public:
-  StartTable(float* starts_m, int last_bin) : starts_m_(starts_m), last_bin_(last_bin) {}
+  StartTable(float* starts_m, int first_bin, int last_bin)
+      : starts_m_(starts_m), first_bin_(first_bin), last_bin_(last_bin) {}
 
   // Some lanes meet ground that is seen no more steeply than `bound`.
   VEC_INLINE void meet(V near_m, V bound, std::uint32_t lanes) const {
@@ -117,7 +118,7 @@ class StartTable {
     alignas(64) std::array<float, kVectorLanes> starts_m;
     alignas(64) std::array<std::int32_t, kVectorLanes> bins;
     hn::Store(hn::DemoteTo(floats, near_m), floats, starts_m.data());
-    hn::Store(hn::DemoteTo(ints, hn::Min(bin, last)), ints, bins.data());
+    hn::Store(hn::DemoteTo(ints, hn::Max(hn::Min(bin, last), of(first_bin_))), ints, bins.data());
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(lanes));
       float& start_m =
@@ -128,6 +129,7 @@ class StartTable {
 
  private:
   float* starts_m_;
+  int first_bin_;
   int last_bin_;
 };
 
@@ -315,7 +317,8 @@ WedgeDistances meet_all_lines(const Terrain& terrain, const WedgeEdges& edges,
   const LineMeeter meeter(terrain, edges, options);
   WedgeDistances known_m;
   for (std::size_t first = 0; first < EyeFront::kGroup; first += hn::Lanes(D())) {
-    const StartTable table(starts_m + first * EyeFront::kStartBins, options.last_bin);
+    const StartTable table(starts_m + first * EyeFront::kStartBins, options.first_bin,
+                           options.last_bin);
     const V u_m = meeter.run(across_u, first, table);
     const V v_m = meeter.run(across_v, first, table);
     const hn::Rebind<float, D> floats;

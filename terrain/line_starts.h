@@ -22,7 +22,8 @@ struct LineStartsOptions {
   double margin_cells;   // what rays may stray from their tracks
   double furthest_m;     // no line beyond is looked at
   double highest_slope;  // what is behind lines seen more steeply does not matter
-  int last_bin;          // stands for those above it, too
+  int first_bin;         // these stand for those below and above them, too
+  int last_bin;
 };
 
 // Lowers starts_m[wedge * EyeFront::kStartBins + bin], of the bin in which a part of a line is seen
