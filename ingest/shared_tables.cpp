@@ -10,7 +10,7 @@ void make_shared_tables(std::vector<Dem>& dems, int threads) {
   };
   for (Dem& dem : dems) {
     if (!dem.ceilings) dem.ceilings = std::make_shared<const HeightCeilings>(*dem.grid, for_each);
-    if (!dem.means) dem.means = std::make_shared<const MeanHeights>(*dem.grid);
+    if (!dem.means) dem.means = std::make_shared<const MeanHeights>(*dem.grid, for_each);
   }
 }
 

@@ -26,12 +26,12 @@ float mean_of_four(const HeightGrid& grid, int column, int row) {
   return count > 0 ? sum / static_cast<float>(count) : std::numeric_limits<float>::quiet_NaN();
 }
 
-HeightGrid coarser(const HeightGrid& grid) {
+HeightGrid coarser(const HeightGrid& grid, const ForEach& for_each) {
   HeightGrid coarse{(grid.columns + 1) / 2, (grid.rows + 1) / 2, {}};
   const auto width = static_cast<std::size_t>(grid.columns);
   const auto coarse_width = static_cast<std::size_t>(coarse.columns);
   coarse.heights_m.resize(coarse_width * static_cast<std::size_t>(coarse.rows));
-  for (int row = 0; row < coarse.rows; ++row) {
+  for_each(coarse.rows, [&](int row) {
     float* means = coarse.heights_m.data() + static_cast<std::size_t>(row) * coarse_width;
     const bool has_four = 2 * row + 1 < grid.rows;
     const float* north = grid.heights_m.data() + static_cast<std::size_t>(2 * row) * width;
@@ -42,7 +42,7 @@ HeightGrid coarser(const HeightGrid& grid) {
     for (std::size_t i = 0; i < coarse_width; ++i)
       if (i >= pairs || std::isnan(means[i]))
         means[i] = mean_of_four(grid, 2 * static_cast<int>(i), 2 * row);
-  }
+  });
   return coarse;
 }
 
@@ -63,10 +63,10 @@ Square corners(glm::ivec2 cell, const Value& value) {
 
 }  // namespace
 
-MeanHeights::MeanHeights(const HeightGrid& grid) {
+MeanHeights::MeanHeights(const HeightGrid& grid, const ForEach& for_each) {
   const HeightGrid* finest = &grid;
   while (std::min(finest->columns, finest->rows) >= 4) {
-    levels_.push_back(coarser(*finest));
+    levels_.push_back(coarser(*finest, for_each));
     finest = &levels_.back();
   }
 }

@@ -10,13 +10,14 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "terrain/for_each.h"
 #include "terrain/terrain.h"
 
 namespace terrview {
 
 class MeanHeights {
  public:
-  explicit MeanHeights(const HeightGrid& grid);
+  explicit MeanHeights(const HeightGrid& grid, const ForEach& for_each = one_by_one);
 
   struct Ground {
     double height_m;     // as the grid's

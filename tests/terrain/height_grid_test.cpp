@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "tests/support/scenes.h"
 
@@ -46,6 +48,23 @@ TEST(HeightRange, LeavesOutVoids) {
   const HeightRange range = height_range({2, 3, {kVoid, -7, 12.5F, kVoid, 3, -400}});
   EXPECT_EQ(range.lowest_m, -400);
   EXPECT_EQ(range.highest_m, 12.5F);
+}
+
+TEST(HeightRange, IsThatOfItsLastPostsToo) {
+  for (int posts = 2; posts < 70; ++posts) {
+    for (int k = 0; k < posts; ++k) {
+      HeightGrid grid{posts, 1, std::vector<float>(static_cast<std::size_t>(posts), 5)};
+      float& post = grid.heights_m[static_cast<std::size_t>(k)];
+      post = 7;
+      EXPECT_EQ(height_range(grid).highest_m, 7);
+      EXPECT_FALSE(height_range(grid).has_holes);
+      post = -3;
+      EXPECT_EQ(height_range(grid).lowest_m, -3);
+      post = kVoid;
+      const HeightRange range = height_range(grid);
+      EXPECT_TRUE(range.has_holes && range.lowest_m == 5 && range.highest_m == 5) << posts << k;
+    }
+  }
 }
 
 TEST(HeightRange, IsNotANumberWhereThereIsNoHeight) {

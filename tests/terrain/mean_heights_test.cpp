@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include <glm/geometric.hpp>
 
@@ -41,6 +42,18 @@ TEST(MeanHeights, AreThoseOfTheBlocksPosts) {
       EXPECT_NEAR(means.at(level, middle)->height_m, sum / (block * block), 1e-4);
     }
   }
+}
+
+TEST(MeanHeights, AreTheSameInWhateverOrderRowsAreMade) {
+  const HeightGrid grid =
+      make_grid(37, 29, [](int column, int row) { return std::sin(column * 1.3 + row * 0.7); });
+  const MeanHeights forwards(grid);
+  const MeanHeights backwards(grid, [](int count, const std::function<void(int)>& work) {
+    while (count > 0) work(--count);
+  });
+  for (double v = 0; v < 28; v += 0.9)
+    for (double u = 0; u < 36; u += 0.9)
+      EXPECT_EQ(forwards.at(1.5, {u, v})->height_m, backwards.at(1.5, {u, v})->height_m);
 }
 
 TEST(MeanHeights, ChangeContinuouslyWithLevelAndPlace) {
