@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include <glm/common.hpp>
 
@@ -22,19 +23,21 @@ class Levels {
  public:
   Levels() {
     std::uint32_t bits = 0;
-    for (std::size_t level = 1; level < least_.size(); ++level) {
+    for (std::size_t level = 1; level < 256; ++level) {
       bits = least_bits(static_cast<long>(level), bits);
       least_[level] = std::bit_cast<float>(bits);
       std::fill(lowest_.begin() + (bits + kLowBits) / (kLowBits + 1), lowest_.end(),
                 static_cast<std::uint8_t>(level));
     }
+    least_.back() = std::numeric_limits<float>::infinity();
   }
 
-  // Of a value from 0 to 1.
-  [[nodiscard]] std::uint8_t at(float x) const {
-    std::uint32_t level = lowest_[std::bit_cast<std::uint32_t>(x) >> 16];
-    while (level < 255 && x >= least_[level + 1]) ++level;
-    return static_cast<std::uint8_t>(level);
+  [[nodiscard]] std::uint8_t at(float linear) const {
+    // Also where it is not a number.
+    const float x = linear > 0 ? std::min(linear, 1.0F) : 0.0F;
+    const std::uint32_t level = lowest_[std::bit_cast<std::uint32_t>(x) >> 16];
+    // Floats of the same upper half lie less than a level apart.
+    return static_cast<std::uint8_t>(level + (x >= least_[level + 1] ? 1 : 0));
   }
 
  private:
@@ -54,8 +57,40 @@ class Levels {
     return to;
   }
 
-  std::array<float, 256> least_{};
+  std::array<float, 257> least_{};
   std::array<std::uint8_t, (kOne >> 16) + 1> lowest_{};
+};
+
+const Levels& levels() {
+  static const Levels all;
+  return all;
+}
+
+// By the upper half of a float's bits, a line that follows to_srgb().
+class Chords {
+ public:
+  Chords() {
+    for (std::uint32_t i = 0; i + 1 < chords_.size(); ++i) {
+      const float from = value_of(i);
+      const float to = value_of(i + 1);
+      chords_[i] = {to_srgb(from), (to_srgb(to) - to_srgb(from)) / (to - from)};
+    }
+    chords_.back() = {1, 0};
+  }
+
+  [[nodiscard]] float at(float linear) const {
+    const float x = linear > 0 ? std::min(linear, 1.0F) : 0.0F;
+    const std::uint32_t i = std::bit_cast<std::uint32_t>(x) >> 16;
+    return chords_[i].start + (x - value_of(i)) * chords_[i].slope;
+  }
+
+ private:
+  struct Chord {
+    float start, slope;
+  };
+  static float value_of(std::uint32_t i) { return std::bit_cast<float>(i << 16); }
+
+  std::array<Chord, (std::bit_cast<std::uint32_t>(1.0F) >> 16) + 1> chords_{};
 };
 
 }  // namespace
@@ -69,11 +104,20 @@ float to_srgb(float linear) {
   return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
 }
 
-std::uint8_t to_srgb8(float linear) {
-  static const Levels levels;
-  // Also where it is not a number.
-  if (!(linear > 0)) return 0;
-  return levels.at(std::min(linear, 1.0F));
+std::uint8_t to_srgb8(float linear) { return levels().at(linear); }
+
+std::vector<std::uint8_t> to_srgb8(std::span<const glm::vec3> linear) {
+  const Levels& all = levels();
+  std::vector<std::uint8_t> bytes(3 * linear.size());
+  std::uint8_t* byte = bytes.data();
+  for (const glm::vec3& color : linear)
+    for (const float component : {color.r, color.g, color.b}) *byte++ = all.at(component);
+  return bytes;
+}
+
+float nearly_srgb(float linear) {
+  static const Chords chords;
+  return chords.at(linear);
 }
 
 glm::vec3 ColorRamp::at(double height_m) const {

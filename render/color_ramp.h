@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -34,6 +35,10 @@ struct ColorRamp {
 [[nodiscard]] float to_srgb(float linear);
 // The nearest of 0 to 255 to 255 * to_srgb(linear).
 [[nodiscard]] std::uint8_t to_srgb8(float linear);
+// Those of the components of each colour, in turn.
+[[nodiscard]] std::vector<std::uint8_t> to_srgb8(std::span<const glm::vec3> linear);
+// to_srgb() to within 4e-6, without a power.
+[[nodiscard]] float nearly_srgb(float linear);
 
 // Hypsometric tints by absolute altitude, from lowland green to snow.
 [[nodiscard]] const ColorRamp& altitude_tints();

@@ -74,9 +74,10 @@ void apply_creation(OIIO::ImageSpec& spec, const std::string& format,
     if (key == "quality" && (format == "jpeg" || format == "webp"))
       spec.attribute("Compression",
                      format + ":" + std::to_string(whole_number(name, value, 1, 100)));
-    else if (key == "zlevel" && format == "png")
+    else if (key == "zlevel" && format == "png") {
+      spec.attribute("compression", "default");
       spec.attribute("png:compressionLevel", whole_number(name, value, 0, 9));
-    else if (key == "compress" && format == "tiff")
+    } else if (key == "compress" && format == "tiff")
       spec.attribute("compression", compression_of(value));
     else
       throw InputError("--co " + name + "=" + value + ": no such option for " + format +
@@ -116,10 +117,10 @@ OIIO::ImageSpec image_spec(glm::ivec2 size_px, const std::string& format,
   OIIO::ImageSpec spec(size_px.x, size_px.y, 3, linear ? OIIO::TypeFloat : OIIO::TypeUInt8);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
   if (format == "png") {
-    // Landscapes come out 2 to 10 % smaller, in less than half the time, than by libpng's choice of
-    // filters at level 6; pictures of hardly anything half as large again.
+    // Landscapes come out 1 to 13 % larger than where zlib also looks for bytes repeated far away,
+    // in a third of the time.
     spec.attribute("png:filter", kPngFilterSub);
-    spec.attribute("png:compressionLevel", 5);
+    spec.attribute("compression", "rle");
   }
   apply_metadata(spec, format, options.metadata);
   apply_dpi(spec, options.dpi);
@@ -175,15 +176,6 @@ void write_picture(const std::string& path, const std::string& format, const OII
   write_file(path, encode_picture(path, format, spec, values));
 }
 
-std::vector<std::uint8_t> srgb_bytes(const Image& image) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels().size() * 3);
-  for (const glm::vec3& pixel : image.pixels()) {
-    for (int i = 0; i < 3; ++i) bytes.push_back(to_srgb8(pixel[i]));
-  }
-  return bytes;
-}
-
 }  // namespace
 
 void check_image_file(const std::string& path, glm::ivec2 size_px,
@@ -203,14 +195,14 @@ void write_image(const std::string& path, const Image& image, const ImageFileOpt
       values.insert(values.end(), &pixel.x, &pixel.x + 3);
     write_picture(path, format, spec, values);
   } else {
-    write_picture(path, format, spec, srgb_bytes(image));
+    write_picture(path, format, spec, to_srgb8(image.pixels()));
   }
 }
 
 std::string encode_jpeg(const Image& image, int quality) {
   const OIIO::ImageSpec spec = image_spec({image.width_px(), image.height_px()}, "jpeg",
                                           {.creation = {{"QUALITY", std::to_string(quality)}}});
-  return encode_picture("picture.jpg", "jpeg", spec, srgb_bytes(image));
+  return encode_picture("picture.jpg", "jpeg", spec, to_srgb8(image.pixels()));
 }
 
 void write_exr(const std::string& path, glm::ivec2 size_px,

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace terrview {
 namespace {
@@ -106,6 +107,30 @@ TEST(Srgb, HasTheNearestByteOfEveryFloat) {
     for (std::uint32_t bits = near - 200; bits < near + 200; ++bits)
       expect_nearest(std::bit_cast<float>(bits));
   }
+}
+
+TEST(Srgb, HasTheBytesOfManyColoursAsOfEachComponent) {
+  std::vector<glm::vec3> colors;
+  for (int i = 0; i < 1000; ++i) {
+    const float x = -0.1F + 0.0012F * static_cast<float>(i);
+    colors.emplace_back(x, x * x, 1 - x);
+  }
+  colors.emplace_back(std::nanf(""), std::numeric_limits<float>::infinity(), -0.0F);
+  const std::vector<std::uint8_t> bytes = to_srgb8(colors);
+  ASSERT_EQ(bytes.size(), 3 * colors.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    ASSERT_EQ(bytes[i], to_srgb8(colors[i / 3][static_cast<int>(i % 3)])) << i;
+  EXPECT_TRUE(to_srgb8(std::vector<glm::vec3>{}).empty());
+}
+
+TEST(Srgb, IsNearlyFoundWithoutAPower) {
+  constexpr auto kTwo = std::bit_cast<std::uint32_t>(2.0F);
+  for (std::uint32_t bits = 0; bits < kTwo; bits += 997) {
+    const auto linear = std::bit_cast<float>(bits);
+    ASSERT_NEAR(nearly_srgb(linear), to_srgb(linear), 4e-6F) << linear;
+  }
+  EXPECT_EQ(nearly_srgb(1), 1);
+  for (const float dark : {0.0F, -2.0F, std::nanf("")}) EXPECT_EQ(nearly_srgb(dark), 0);
 }
 
 TEST(Srgb, HasAByteForWhatNoFileHolds) {

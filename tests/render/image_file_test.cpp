@@ -207,6 +207,8 @@ TEST(ImageFile, ObeysCreationOptions) {
             size_with(folder, "b.webp", {{"QUALITY", "100"}}));
   EXPECT_LT(size_with(folder, "a.png", {{"ZLEVEL", "9"}}),
             size_with(folder, "b.png", {{"ZLEVEL", "0"}}));
+  // Unasked, small files are quick ones: no match for a search at any length.
+  EXPECT_LT(size_with(folder, "a.png", {{"ZLEVEL", "9"}}), size_with(folder, "c.png", {}));
   const auto plain = size_with(folder, "none.tif", {{"COMPRESS", "NONE"}});
   EXPECT_GT(plain, 256U * 3 * 3);
   for (const std::string method : {"DEFLATE", "LZW", "PackBits"})
