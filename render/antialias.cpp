@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -15,46 +17,40 @@ namespace {
 constexpr int kFew = 4;
 constexpr int kMany = 16;
 constexpr int kPixelsAtOnce = 64;
+constexpr int kRowsAtOnce = 32;
 
-enum class Need { one, few, many };
-
-// What a traced pixel needs, by its eight neighbours: at an outline, many rays; few may miss it.
-Need need_of(const Raster<Sample>& base, const Image& seen, glm::ivec2 pixel, float contrast) {
-  const Sample& here = base.at(pixel.x, pixel.y);
-  Need need = Need::one;
-  for (int row = std::max(0, pixel.y - 1); row <= std::min(base.height_px() - 1, pixel.y + 1);
-       ++row) {
-    for (int column = std::max(0, pixel.x - 1);
-         column <= std::min(base.width_px() - 1, pixel.x + 1); ++column) {
-      const Sample& other = base.at(column, row);
-      if (!other.traced()) continue;
-      if (depth_steps(here, other)) return Need::many;
-      // The sky is smooth within a pixel.
-      if (!here.ground() && !other.ground()) continue;
-      if (contrast_between(seen.at(pixel.x, pixel.y), seen.at(column, row)) > contrast)
-        need = Need::few;
-    }
-  }
-  return need;
-}
+enum class Need { few, many };
 
 struct NeedyPixel {
   glm::ivec2 pixel;
   Need need;
 };
 
+// Traced pixels that need more than one ray, by their eight neighbours: at an outline, many rays;
+// few may miss it.
 std::vector<NeedyPixel> needy_pixels(const Raster<Sample>& base, float contrast, int threads) {
-  const Image seen = seen_colors(base, threads);
-  std::vector<std::vector<NeedyPixel>> rows(static_cast<std::size_t>(base.height_px()));
-  parallel_for(base.height_px(), threads, [&](int row) {
-    for (int column = 0; column < base.width_px(); ++column) {
-      if (!base.at(column, row).traced()) continue;
-      const Need need = need_of(base, seen, {column, row}, contrast);
-      if (need != Need::one) rows[static_cast<std::size_t>(row)].push_back({{column, row}, need});
+  const int strips = (base.height_px() + kRowsAtOnce - 1) / kRowsAtOnce;
+  std::vector<std::vector<NeedyPixel>> found(static_cast<std::size_t>(strips));
+  parallel_for(strips, threads, [&](int strip) {
+    const int first = strip * kRowsAtOnce;
+    const int end = std::min(first + kRowsAtOnce, base.height_px());
+    const SeenRows seen(base, first, end - first);
+    const auto width = static_cast<std::size_t>(base.width_px());
+    std::vector<float> contrasts(width);
+    std::vector<std::int32_t> steps(width);
+    for (int row = first; row < end; ++row) {
+      seen.compare(row, contrasts, steps);
+      for (std::size_t i = 0; i < width; ++i) {
+        if (steps[i] == 0 && !(contrasts[i] > contrast)) continue;
+        const glm::ivec2 pixel(static_cast<int>(i), row);
+        if (base.at(pixel.x, pixel.y).traced())
+          found[static_cast<std::size_t>(strip)].push_back(
+              {pixel, steps[i] != 0 ? Need::many : Need::few});
+      }
     }
   });
   std::vector<NeedyPixel> pixels;
-  for (const auto& row : rows) pixels.insert(pixels.end(), row.begin(), row.end());
+  for (const auto& strip : found) pixels.insert(pixels.end(), strip.begin(), strip.end());
   return pixels;
 }
 
