@@ -11,12 +11,15 @@ namespace {
 
 constexpr double kLongest = 256;
 
+double limited_facing(double facing) {
+  return std::copysign(std::max(std::abs(facing), 1 / kLongest), facing);
+}
+
 }  // namespace
 
 FootprintSides footprint_sides(const glm::dvec3& ray_direction, const glm::dvec3& normal) {
   const glm::dvec3 away = glm::normalize(ray_direction);
-  const double facing = std::copysign(std::max(std::abs(glm::dot(away, normal)), 1 / kLongest),
-                                      glm::dot(away, normal));
+  const double facing = limited_facing(glm::dot(away, normal));
   const glm::dvec3 aside = std::abs(away.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
   const glm::dvec3 across = glm::normalize(glm::cross(away, aside));
   const auto on_surface = [&](const glm::dvec3& side) {
@@ -28,6 +31,14 @@ FootprintSides footprint_sides(const glm::dvec3& ray_direction, const glm::dvec3
 glm::dmat2 footprint(const glm::dvec3& ray_direction, const glm::dvec3& normal) {
   const FootprintSides sides = footprint_sides(ray_direction, normal);
   return {glm::dvec2(sides.across), glm::dvec2(sides.up)};
+}
+
+double footprint_area(const glm::dvec3& ray_direction, const glm::dvec3& normal) {
+  // The upward part of the sides' cross product, whichever sides they are.
+  const glm::dvec3 away = glm::normalize(ray_direction);
+  const double facing = glm::dot(away, normal);
+  const double limited = limited_facing(facing);
+  return std::abs((normal.z + (limited - facing) * away.z) / limited);
 }
 
 Drape::Drape(PicturePyramid picture, std::vector<std::shared_ptr<const PixelMap>> maps)

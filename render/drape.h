@@ -51,5 +51,7 @@ struct FootprintSides {
 
 // The same of the ground, seen from above.
 [[nodiscard]] glm::dmat2 footprint(const glm::dvec3& ray_direction, const glm::dvec3& normal);
+// And its area there.
+[[nodiscard]] double footprint_area(const glm::dvec3& ray_direction, const glm::dvec3& normal);
 
 }  // namespace terrview

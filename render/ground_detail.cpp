@@ -4,7 +4,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "render/drape.h"
 
@@ -21,8 +20,7 @@ GroundDetail::GroundDetail(const Terrain& terrain, MeansOfGrids known) {
 GroundDetail::Ground GroundDetail::seen(const Terrain& terrain, const Ray& ray, const Hit& hit,
                                         double width_m, const Ground& exact) const {
   const Layer& layer = layers_[static_cast<std::size_t>(hit.grid)];
-  const double side_m =
-      width_m * std::sqrt(std::abs(glm::determinant(footprint(ray.direction, exact.normal))));
+  const double side_m = width_m * std::sqrt(footprint_area(ray.direction, exact.normal));
   if (side_m <= layer.post_m) return exact;
   const double level = std::log2(side_m / layer.post_m);
   const auto mean = layer.means->at(level, hit.uv);

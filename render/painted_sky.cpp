@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <glm/common.hpp>
+
+#include "terrain/square_sectors.h"
 
 namespace terrview {
 namespace {
 
 constexpr int kSide_px = CloudPainter::kWindow_px;
-constexpr std::size_t kAzimuths = 720;
+// Colours of the horizon along each side of the square that stands for it.
+constexpr int kColorsASide = 256;
 
 bool has_pixels(const Camera& camera) {
   return camera.options().projection != Projection::orthographic;
@@ -56,10 +58,10 @@ PaintedSky::PaintedSky(const SkyOptions& sky, const SkyCamera& camera, bool has_
       windows_(std::make_unique<Window[]>(static_cast<std::size_t>(window_count_.x) *
                                           static_cast<std::size_t>(window_count_.y))) {
   if (cloud_shadows && sky.clouds) shadows_.emplace(*sky.clouds, sky.clear.towards_sun);
-  for (std::size_t i = 0; i <= kAzimuths; ++i) {
-    const double azimuth_rad = 2 * std::numbers::pi * static_cast<double>(i) / kAzimuths;
-    horizon_.push_back(painter_.background({std::sin(azimuth_rad), std::cos(azimuth_rad), 0}));
-  }
+  for (int side = 0; side < 4; ++side)
+    for (int place = 0; place <= kColorsASide; ++place)
+      horizon_.push_back(
+          painter_.background(glm::dvec3(sector_edge(side, place, kColorsASide), 0)));
 }
 
 PaintedSky::~PaintedSky() = default;
@@ -86,10 +88,11 @@ glm::vec3 PaintedSky::color(const glm::dvec3& direction) const {
 }
 
 glm::vec3 PaintedSky::horizon_color(const glm::dvec3& direction) const {
-  const double turns = std::atan2(direction.x, direction.y) / (2 * std::numbers::pi);
-  const double step = (turns - std::floor(turns)) * static_cast<double>(kAzimuths);
-  const auto i = std::min(static_cast<std::size_t>(step), kAzimuths - 1);
-  return glm::mix(horizon_[i], horizon_[i + 1], static_cast<float>(step - static_cast<double>(i)));
+  if (direction.x == 0 && direction.y == 0) return horizon_.front();
+  const auto [side, place] = square_place(glm::dvec2(direction), kColorsASide);
+  const int before = std::min(static_cast<int>(place), kColorsASide - 1);
+  const auto i = static_cast<std::size_t>(side * (kColorsASide + 1) + before);
+  return glm::mix(horizon_[i], horizon_[i + 1], static_cast<float>(place - before));
 }
 
 glm::ivec2 PaintedSky::window_size(const glm::ivec2& at) const {

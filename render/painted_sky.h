@@ -71,7 +71,7 @@ class PaintedSky {
   std::optional<CloudShadows> shadows_;
   bool has_pixels_;
   glm::ivec2 window_count_;
-  std::vector<glm::vec3> horizon_;  // by azimuth
+  std::vector<glm::vec3> horizon_;  // by place on each side of a square
   // Filled through const calls, once each: callers see immutable colours.
   std::unique_ptr<Window[]> windows_;
 };

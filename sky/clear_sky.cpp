@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace terrview {
 namespace {
@@ -215,10 +216,9 @@ glm::vec3 ClearSky::with_twilight(const glm::vec3& day, const glm::dvec3& direct
 }
 
 glm::vec3 ClearSky::color(const glm::dvec3& direction) const {
-  const double run = std::hypot(direction.x, direction.y);
-  const glm::dvec3 shown = direction.z >= 0 || run == 0
-                               ? direction
-                               : glm::dvec3(direction.x / run, direction.y / run, 0);
+  glm::dvec3 shown = direction;
+  if (direction.z < 0 && (direction.x != 0 || direction.y != 0))
+    shown = {glm::normalize(glm::dvec2(direction)), 0};
   return with_twilight(daylight(std::clamp(shown.z, 0.0, 1.0), glm::dot(shown, shown_sun_)), shown);
 }
 

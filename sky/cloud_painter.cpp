@@ -34,8 +34,8 @@ std::int64_t floor_index(double x) { return static_cast<std::int64_t>(std::floor
 
 // The share of a cell's side from its south-western corner to a place in root cells.
 glm::dvec2 share_of(const CellPlace& at, const glm::dvec2& place) {
-  return {std::ldexp(place.x, at.level) - static_cast<double>(at.column),
-          std::ldexp(place.y, at.level) - static_cast<double>(at.row)};
+  const auto cells = static_cast<double>(std::int64_t{1} << at.level);
+  return place * cells - glm::dvec2(at.column, at.row);
 }
 
 bool holds(const glm::dvec2& share) {

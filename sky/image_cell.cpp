@@ -28,8 +28,8 @@ ImagePoint LayerImage::at(const glm::dvec2& place) const {
 }
 
 ImagePoint LayerImage::corner(int level, std::int64_t column, std::int64_t row) const {
-  return at({std::ldexp(static_cast<double>(column), -level),
-             std::ldexp(static_cast<double>(row), -level)});
+  const auto cells = static_cast<double>(std::int64_t{1} << level);
+  return at(glm::dvec2(column, row) / cells);
 }
 
 ImageCell root_image(const LayerImage& image, const CellPlace& at) {

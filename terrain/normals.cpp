@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -26,6 +28,36 @@ double slope_at(const HeightGrid& grid, glm::ivec2 post, glm::ivec2 step) {
 // dh/du and dh/dv at a post.
 glm::dvec2 gradient_at(const HeightGrid& grid, glm::ivec2 post) {
   return {slope_at(grid, post, {1, 0}), slope_at(grid, post, {0, 1})};
+}
+
+// That at a place of a cell, between those at its posts.
+glm::dvec2 gradient_between(const std::array<glm::dvec2, 4>& at_posts, glm::dvec2 f) {
+  const auto& [nw, ne, sw, se] = at_posts;
+  return glm::mix(glm::mix(nw, ne, f.x), glm::mix(sw, se, f.x), f.y);
+}
+
+// Where no border is near, and NaN where a hole is: the central differences alone.
+glm::dvec2 inner_gradient(const HeightGrid& grid, glm::ivec2 cell, glm::dvec2 f) {
+  const auto width = static_cast<std::ptrdiff_t>(grid.columns);
+  const float* const nw = &grid.heights_m[static_cast<std::size_t>(cell.y * width + cell.x)];
+  const auto at_post = [&](std::ptrdiff_t i) {
+    const auto half = [&](std::ptrdiff_t step) {
+      return (static_cast<double>(nw[i + step]) - static_cast<double>(nw[i - step])) / 2;
+    };
+    return glm::dvec2(half(1), half(width));
+  };
+  return gradient_between({at_post(0), at_post(1), at_post(width), at_post(width + 1)}, f);
+}
+
+glm::dvec2 smooth_gradient(const HeightGrid& grid, glm::ivec2 cell, glm::dvec2 f) {
+  if (cell.x > 0 && cell.y > 0 && cell.x + 2 < grid.columns && cell.y + 2 < grid.rows) {
+    const glm::dvec2 inner = inner_gradient(grid, cell, f);
+    if (inner == inner) return inner;
+  }
+  const auto at_post = [&](int column, int row) {
+    return gradient_at(grid, cell + glm::ivec2(column, row));
+  };
+  return gradient_between({at_post(0, 0), at_post(1, 0), at_post(0, 1), at_post(1, 1)}, f);
 }
 
 glm::dvec2 facet_gradient(const HeightGrid& grid, SurfaceModel model, glm::ivec2 cell,
@@ -56,12 +88,8 @@ glm::dvec3 Terrain::facet_normal(const Hit& hit) const {
 glm::dvec3 Terrain::smooth_normal(const Hit& hit) const {
   const TerrainLayer& layer = layers_[static_cast<std::size_t>(hit.grid)];
   const glm::dvec2 f = glm::clamp(hit.uv - glm::dvec2(hit.cell), 0.0, 1.0);
-  const glm::dvec2 north = glm::mix(gradient_at(*layer.grid, hit.cell),
-                                    gradient_at(*layer.grid, hit.cell + glm::ivec2(1, 0)), f.x);
-  const glm::dvec2 south = glm::mix(gradient_at(*layer.grid, hit.cell + glm::ivec2(0, 1)),
-                                    gradient_at(*layer.grid, hit.cell + glm::ivec2(1, 1)), f.x);
-  return normal_of(glm::mix(north, south, f.y), layer.map->jacobian(glm::dvec2(hit.position_m)),
-                   frame_.z_scale);
+  return normal_of(smooth_gradient(*layer.grid, hit.cell, f),
+                   layer.map->jacobian(glm::dvec2(hit.position_m)), frame_.z_scale);
 }
 
 }  // namespace terrview

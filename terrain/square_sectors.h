@@ -30,12 +30,21 @@ inline glm::dvec2 sector_edge(int side, double place, int sectors_a_side) {
   }
 }
 
-inline int sector_of(glm::dvec2 direction, int sectors_a_side) {
+// Where a direction other than (0, 0) lies: on that side, from 0 to its number of sectors.
+struct SquarePlace {
+  int side;
+  double place;
+};
+inline SquarePlace square_place(glm::dvec2 direction, int sectors_a_side) {
   const glm::dvec2 far = glm::abs(direction);
   const bool along_y = far.y >= far.x;
   const double c = (along_y ? direction.x : direction.y) / std::max(far.x, far.y);
   const int side = along_y ? (direction.y > 0 ? 0 : 2) : (direction.x > 0 ? 1 : 3);
-  const double place = std::floor((c + 1) * (0.5 * sectors_a_side));
+  return {side, (c + 1) * (0.5 * sectors_a_side)};
+}
+
+inline int sector_of(glm::dvec2 direction, int sectors_a_side) {
+  const auto [side, place] = square_place(direction, sectors_a_side);
   return side * sectors_a_side + std::min(static_cast<int>(place), sectors_a_side - 1);
 }
 

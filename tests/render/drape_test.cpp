@@ -9,6 +9,7 @@
 
 #include "render/objects/scene_objects.h"
 #include "tests/render/hills.h"
+#include "tests/support/random_scene.h"
 
 namespace terrview {
 namespace {
@@ -47,7 +48,25 @@ TEST(Footprint, OnASlopeThatFacesTheRayIsItsPlan) {
   EXPECT_NEAR(area(footprint(ray, -ray)), std::sqrt(0.5), 1e-12);
 }
 
+TEST(Footprint, HasTheAreaOfItsSides) {
+  Random random(3);
+  const auto direction = [&random](double up) {
+    const double x = random.uniform(-1, 1);
+    const double y = random.uniform(-1, 1);
+    return glm::dvec3(x, y, random.uniform(-up, up));
+  };
+  for (int i = 0; i < 10000; ++i) {
+    const glm::dvec3 normal = glm::normalize(direction(0.5) + glm::dvec3(0, 0, 1));
+    glm::dvec3 ray = direction(3);
+    // Half of them graze.
+    if (i % 2 != 0) ray = glm::cross(normal, ray) + random.uniform(-0.01, 0.01) * normal;
+    const double expected = area(footprint(ray, normal));
+    EXPECT_NEAR(footprint_area(ray, normal), expected, 1e-12 * (1 + expected));
+  }
+}
+
 TEST(Footprint, NeverGrowsBeyondBounds) {
+  EXPECT_LE(footprint_area({1, 0, 0}, {0, 0, 1}), 256 + 1e-9);
   EXPECT_LE(area(footprint({1, 0, 0}, {0, 0, 1})), 256 + 1e-9);
 }
 

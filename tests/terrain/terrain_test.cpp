@@ -176,6 +176,28 @@ TEST_P(TerrainOf, SmoothNormalsAreCentralDifferencesAtThePosts) {
   EXPECT_LT(glm::length(slopes_at({5, 2}) - glm::dvec2(4, 5)), 1e-14);
 }
 
+// Away from borders and holes, as beside them.
+TEST_P(TerrainOf, SmoothNormalsFollowThePostsSlopesThroughCells) {
+  const HeightGrid rough =
+      make_grid(9, 8, [](int c, int r) { return 20 * std::sin(1.7 * c + 0.9 * r * c); });
+  const Terrain here = terrain(rough, {.eye_uv = {3, 3}, .eye_height_m = 90});
+  const auto slope_at = [&](int c, int r) {
+    return glm::dvec2(rough.at(c + 1, r) - rough.at(c - 1, r),
+                      rough.at(c, r + 1) - rough.at(c, r - 1)) /
+           2.0;
+  };
+  for (int r = 1; r < 6; ++r) {
+    for (int c = 1; c < 7; ++c) {
+      const glm::dvec2 f(0.3, 0.6);
+      const glm::dvec2 expected =
+          (1 - f.y) * ((1 - f.x) * slope_at(c, r) + f.x * slope_at(c + 1, r)) +
+          f.y * ((1 - f.x) * slope_at(c, r + 1) + f.x * slope_at(c + 1, r + 1));
+      const glm::dvec3 normal = here.smooth_normal(hit_at(glm::dvec2(c, r) + f));
+      EXPECT_LT(glm::length(glm::dvec2(-normal.x, normal.y) / normal.z - expected), 1e-5);
+    }
+  }
+}
+
 TEST_P(TerrainOf, FacetNormalsAreThoseOfTheSurfaceInTheCell) {
   const Terrain here =
       terrain(make_grid(2, 2, [](int c, int r) { return c == 1 && r == 0 ? 2 : 0; }),
