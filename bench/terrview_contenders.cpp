@@ -90,7 +90,7 @@ Contender default_way(const BenchDem& dem, const char* name, BenchEarth earth) {
     };
     if (EyeFront::serves(*terrain)) {
       tracer.primary = [terrain, &view](int threads, TracedFrame& frame) {
-        const auto front = view_front(*terrain, view.camera);
+        const auto front = view_front(*terrain, view.camera, threads);
         return trace_front(*front, view.camera, threads, frame);
       };
     } else if (columns && has_columns(*terrain)) {

@@ -1,7 +1,11 @@
 #include "render/view_front.h"
 
+#include <algorithm>
+#include <set>
+
 #include <gtest/gtest.h>
 
+#include "terrain/square_sectors.h"
 #include "tests/render/hills.h"
 
 namespace terrview {
@@ -32,6 +36,29 @@ TEST(ViewFront, ShowsTheSamePictureAsSingleRays) {
     EXPECT_EQ(frame.image.pixels(), single.image.pixels()) << camera.options().pitch_rad;
     EXPECT_EQ(frame.counts.hits, single.counts.hits);
     EXPECT_LE(frame.counts.tests, 2 * single.counts.tests);
+  }
+}
+
+TEST(ViewFront, KnowsTheWedgesThatPixelsLieIn) {
+  const Scene scene = hills_scene();
+  for (const Camera& small : cameras()) {
+    CameraOptions options = small.options();
+    options.size_px *= 12;
+    const Camera camera(options);
+    const auto front = view_front(*scene.terrain, camera);
+    const std::vector<int> groups = groups_in_view(*front, camera);
+    std::set<int> met;
+    int missed = 0;
+    for (int row = 0; row < options.size_px.y; ++row)
+      for (int column = 0; column < options.size_px.x; ++column) {
+        const glm::dvec2 across(camera.ray(glm::dvec2(column, row) + 0.5).direction);
+        const int group = sector_of(across, front->wedges_a_side()) / EyeFront::kGroup;
+        met.insert(group);
+        missed += std::ranges::binary_search(groups, group) ? 0 : 1;
+      }
+    EXPECT_LT(missed, 0.02 * options.size_px.x * options.size_px.y) << options.pitch_rad;
+    EXPECT_LE(groups.size(), met.size());
+    for (const int group : groups) EXPECT_TRUE(met.contains(group)) << group;
   }
 }
 
