@@ -53,7 +53,8 @@ glm::dvec2 sample_offset(int index) {
 
 Sampler::Sampler(const Scene& scene, const Camera& camera, const RenderOptions& options)
     : scene_(scene), camera_(camera), options_(options), pixel_width_(pixel_width(camera)) {
-  if (options.coherence == Coherence::on) front_ = view_front(*scene.terrain, camera, options.threads);
+  if (options.coherence == Coherence::on)
+    front_ = view_front(*scene.terrain, camera, options.threads);
   if (options.coherence != Coherence::neighbours) return;
   Stopwatch stopwatch;
   TraceCounts traced;

@@ -273,8 +273,19 @@ class Marcher {
                                    VI column, VI row) {
     using Codes = SunMap::Codes;
     const Codes& codes = sun_->codes();
-    const VI index = row * of_int(grid_.columns - 1) + column;
-    const VI live = hn::IfThenElseZero(hn::RebindMask(I(), mask_of(active)), index);
+    const glm::ivec2 size = sun_->cells().size();
+    const VI place_u = column - of_int(sun_->cells().first.x);
+    const VI place_v = row - of_int(sun_->cells().first.y);
+    const auto below = [](VI place, int end) HWY_ATTR {
+      const hn::RebindToUnsigned<I> u;
+      return hn::BitCast(u, place) < hn::Set(u, static_cast<std::uint32_t>(end));
+    };
+    const auto among = hn::And(below(place_u, size.x), below(place_v, size.y));
+    const std::uint32_t over_map =
+        active & bits_of(hn::RebindMask(F(), hn::RebindMask(I(), among)));
+    if (over_map == 0) return active;
+    const VI index = place_v * of_int(size.x) + place_u;
+    const VI live = hn::IfThenElseZero(hn::RebindMask(I(), mask_of(over_map)), index);
     const VI word =
         hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(sun_->words()), live);
     const hn::RebindToUnsigned<F> words;
@@ -298,8 +309,8 @@ class Marcher {
     const MF known = free_above < of(static_cast<float>(Codes::kMost));
     const MF free = hn::Or(free_above == of(0), hn::And(known, least_code > free_above + rounding));
     const MF stopped = most_code < stopped_below - rounding;
-    const std::uint32_t free_lanes = active & bits_of(free);
-    const std::uint32_t stopped_lanes = active & ~free_lanes & bits_of(stopped);
+    const std::uint32_t free_lanes = over_map & bits_of(free);
+    const std::uint32_t stopped_lanes = over_map & ~free_lanes & bits_of(stopped);
     settle(first, free_lanes, March::free);
     settle(first, stopped_lanes, March::stopped);
     return active & ~(free_lanes | stopped_lanes);

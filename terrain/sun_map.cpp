@@ -44,12 +44,7 @@ namespace {
 // of a ray's clearance in double precision.
 constexpr double kSlack = 0x1p-20;
 
-// Cells as places on lines: (x, line), both included.
-struct Part {
-  glm::ivec2 first, last;
-};
-
-Part part_of(const SunField& field, const CellRect& cells) {
+SunPart part_of(const SunField& field, const CellRect& cells) {
   const auto turned = [&](glm::ivec2 cell) {
     if (!field.over_rows()) std::swap(cell.x, cell.y);
     if (field.from_last()) cell.y = field.lines() - 2 - cell.y;
@@ -61,7 +56,7 @@ Part part_of(const SunField& field, const CellRect& cells) {
 }
 
 // Whether the strips from `first` on come over `part`.
-bool reaches(const SunField& field, int first, const Part& part) {
+bool reaches(const SunField& field, int first, const SunPart& part) {
   StripTrack track(field, first);
   bool reaches = false;
   for (int line = 0; line <= part.last.y; line += kSunPanelLines) {
@@ -96,6 +91,16 @@ StripSpan strips_over(const SunField& field) {
   return span;
 }
 
+// Rays that a cell's heights do not tell of march on over those around it.
+constexpr int kAround = 32;
+
+CellRect cells_to_know(const HeightGrid& grid, const CellRect& wanted) {
+  const glm::ivec2 last_cell(grid.columns - 2, grid.rows - 2);
+  const auto nearest = [&](glm::ivec2 cell) { return glm::clamp(cell, glm::ivec2(0), last_cell); };
+  return {nearest(nearest(wanted.first) - kAround),
+          nearest(nearest(glm::max(wanted.first, wanted.last)) + kAround)};
+}
+
 }  // namespace
 
 std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dvec3& to_sun,
@@ -107,15 +112,15 @@ std::unique_ptr<const SunMap> SunMap::make(const Terrain& terrain, const glm::dv
   if (static_cast<double>(grid.columns) * grid.rows >= 0x1p30) return nullptr;
   const SunField field(terrain, to_sun);
   if (!field.is_regular()) return nullptr;
-  std::unique_ptr<SunMap> map(new SunMap(terrain, field, to_sun));
-  map->sweep(terrain, field, for_each, wanted);
+  const CellRect cells = cells_to_know(grid, wanted);
+  std::unique_ptr<SunMap> map(new SunMap(terrain, field, to_sun, cells));
+  map->sweep(terrain, field, for_each);
   return map;
 }
 
-SunMap::SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun)
-    : to_sun_(to_sun), hit_error_(field.track_error()) {
-  const HeightGrid& grid = *terrain.layers()[0].grid;
-  cells_ = {grid.columns - 1, grid.rows - 1};
+SunMap::SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun,
+               const CellRect& cells)
+    : to_sun_(to_sun), cells_(cells), hit_error_(field.track_error()) {
   const SunRates rates = field.rates({0, 0}, {field.posts(), field.lines()});
   codes_.rise_least = rates.rise_least;
   codes_.rise_most = rates.rise_most;
@@ -126,27 +131,31 @@ SunMap::SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& 
   codes_.share0 = field.from_last() ? 1 : 0;
   const double share = field.from_last() ? -1 : 1;
   (field.over_rows() ? codes_.share_per_row : codes_.share_per_column) = share;
-  // Pages of zeros that nobody writes cost nothing.
   words_.reset(static_cast<std::uint32_t*>(std::calloc(bytes(), 1)));
   if (!words_) throw std::bad_alloc();
   prefer_huge_pages(words_.get(), bytes());
 }
 
-void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each,
-                   const CellRect& wanted) {
+void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each) {
   const double scale = terrain.frame().z_scale;
   const double slack =
       kSlack * (terrain.height_bound_m() / scale + codes_.rise_most * field.lines());
   const glm::dvec2 range = terrain.height_range_m() / scale;
-  SunSweep sweep{
-      *terrain.layers()[0].grid, field,       slack, codes_.low, codes_.per_height, range.y, 0,
-      field.lines() - 2,         words_.get()};
-  const Part part = part_of(field, {wanted.first, glm::min(wanted.last, cells_ - 1)});
+  const SunPart part = part_of(field, cells_);
   // Ground further towards the sun is lower than all rays from there.
   const double over_all = 1.001 * (range.y - range.x) + 8 * slack + 2 * field.blur();
   const double lead = std::ceil(over_all / codes_.rise_least) + 2;
-  sweep.first_line = static_cast<int>(std::max(0.0, part.first.y - lead));
-  sweep.last_line = part.last.y;
+  const SunSweep sweep{.grid = *terrain.layers()[0].grid,
+                       .field = field,
+                       .slack = slack,
+                       .low = codes_.low,
+                       .per_height = codes_.per_height,
+                       .highest = range.y,
+                       .first_line = static_cast<int>(std::max(0.0, part.first.y - lead)),
+                       .part = part,
+                       .words = words_.get(),
+                       .first_cell = cells_.first,
+                       .words_a_row = cells_.size().x};
   const StripSpan strips = strips_over(field);
   for_each((strips.end - strips.first + kSunStrips - 1) / kSunStrips, [&](int i) {
     const int first = strips.first + i * kSunStrips;
@@ -157,8 +166,8 @@ void SunMap::sweep(const Terrain& terrain, const SunField& field, const ForEach&
 Sunlight SunMap::at(glm::dvec2 uv, double height) const {
   const glm::dvec2 cell = glm::floor(uv);
   const glm::dvec2 in_cell = uv - cell;
-  const bool over_grid = cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y;
-  if (!over_grid || !is_inside(in_cell, kBorder) || height < codes_.low) return Sunlight::unknown;
+  if (!cells_.holds(cell) || !is_inside(in_cell, kBorder) || height < codes_.low)
+    return Sunlight::unknown;
   const std::uint32_t codes = word(glm::ivec2(cell));
   const std::uint32_t free_above = Codes::free_above(codes);
   const double share =
@@ -173,7 +182,7 @@ Sunlight SunMap::at(glm::dvec2 uv, double height) const {
 }
 
 bool SunMap::lights(const Hit& hit) const {
-  return is_inside(hit.uv - glm::dvec2(hit.cell), kBorder + hit_error_) &&
+  return cells_.holds(hit.cell) && is_inside(hit.uv - glm::dvec2(hit.cell), kBorder + hit_error_) &&
          Codes::free_above(word(hit.cell)) == 0;
 }
 

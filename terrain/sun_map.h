@@ -35,12 +35,17 @@ enum class Sunlight : std::uint8_t { unknown, lit, shaded };
 struct CellRect {
   glm::ivec2 first{0};
   glm::ivec2 last{std::numeric_limits<int>::max()};
+
+  [[nodiscard]] glm::ivec2 size() const { return last - first + 1; }
+  [[nodiscard]] bool holds(glm::dvec2 cell) const {
+    return cell.x >= first.x && cell.y >= first.y && cell.x <= last.x && cell.y <= last.y;
+  }
 };
 
 class SunMap {
  public:
   // Of the sun at `to_sun`, a true direction at the eye, of unit length; of the cells of `wanted`
-  // at least, the others may stay unknown. Refers to nothing of `terrain` afterwards. Null where
+  // that the grid has, and some around them. Refers to nothing of `terrain` afterwards. Null where
   // rays towards the sun are too unlike each other, the sun is not above the horizon everywhere or
   // is in the zenith, and for several layers, a z_scale that is not positive and
   // SurfaceModel::band, whose ground has steps.
@@ -63,16 +68,17 @@ class SunMap {
     // Of free_above(): 0 says that all of the cell's ground is lit, kMost that nothing is known.
     static constexpr std::uint32_t kMost = 0xffff;
     static constexpr double kRounding = 0.25;
-    // Of a word: 0, where none was written, knows nothing.
+    // Of a word: 0 knows nothing.
     static std::uint32_t free_above(std::uint32_t word) { return kMost - (word & kMost); }
     static std::uint32_t stopped_below(std::uint32_t word) { return word >> 16; }
   };
   [[nodiscard]] const Codes& codes() const { return codes_; }
-  // Of cells, row by row; those of a grid have a column less than its posts.
+  // The cells that it knows of, and their words row by row.
+  [[nodiscard]] const CellRect& cells() const { return cells_; }
   [[nodiscard]] const std::uint32_t* words() const { return words_.get(); }
 
   // Of a point on the ground or above it, at a place of the grid in posts: unknown next to the
-  // border of its cell, beyond the grid, and in a hole below all ground.
+  // border of its cell, beyond cells(), and in a hole below all ground.
   [[nodiscard]] Sunlight at(glm::dvec2 uv, double height) const;
 
   // Whether all the ground of the cell in which a ray meets it is lit. False next to the border of
@@ -84,21 +90,23 @@ class SunMap {
 
   [[nodiscard]] const glm::dvec3& to_sun() const { return to_sun_; }
   [[nodiscard]] std::size_t bytes() const {
-    return static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
+    const glm::ivec2 size = cells_.size();
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
            sizeof(std::uint32_t);
   }
 
  private:
-  SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun);
-  void sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each,
-             const CellRect& wanted);
+  SunMap(const Terrain& terrain, const SunField& field, const glm::dvec3& to_sun,
+         const CellRect& cells);
+  void sweep(const Terrain& terrain, const SunField& field, const ForEach& for_each);
   [[nodiscard]] std::uint32_t word(glm::ivec2 cell) const {
-    return words_[static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_.x) +
-                  static_cast<std::size_t>(cell.x)];
+    const glm::ivec2 place = cell - cells_.first;
+    return words_[static_cast<std::size_t>(place.y) * static_cast<std::size_t>(cells_.size().x) +
+                  static_cast<std::size_t>(place.x)];
   }
 
   glm::dvec3 to_sun_;
-  glm::ivec2 cells_;
+  CellRect cells_;
   double hit_error_;  // how far a hit's place may be from that of its position, in posts
   Codes codes_{};
   struct Free {

@@ -38,6 +38,10 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
   const V last_row = of(terrain.layers()[0].grid->rows - 2);
   const hn::Rebind<std::int32_t, D> ints;
   const hn::Rebind<std::uint32_t, D> words;
+  const V first_column = of(map.cells().first.x);
+  const V first_row = of(map.cells().first.y);
+  const V columns = of(map.cells().size().x);
+  const V rows = of(map.cells().size().y);
   points.unknown.count = points.nowhere.count = 0;
   for (std::size_t i = 0; i < points.count; i += hn::Lanes(D())) {
     const V x = hn::Load(D(), points.x_m.data() + i);
@@ -62,12 +66,15 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
     const V z = hn::Load(D(), points.z_m.data() + i);
     const V height = frame.height(x, y, z, frame.curvature(x, y));
     sure = hn::And(sure, height >= of(codes.low));
-    sure = hn::And(sure, hn::And(hn::Min(column, row) >= of(0),
-                                 hn::And(column <= last_column, row <= last_row)));
-    const V index = column + row * (last_column + of(1));
-    const auto word =
-        hn::BitCast(words, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(map.words()),
-                                           hn::DemoteTo(ints, hn::IfThenElseZero(sure, index))));
+    const V place_u = column - first_column;
+    const V place_v = row - first_row;
+    const M among =
+        hn::And(hn::Min(place_u, place_v) >= of(0), hn::And(place_u < columns, place_v < rows));
+    const M has_word = hn::And(sure, among);
+    const V index = place_u + place_v * columns;
+    const auto word = hn::BitCast(
+        words, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(map.words()),
+                               hn::DemoteTo(ints, hn::IfThenElseZero(has_word, index))));
     const V free_above =
         of(SunMap::Codes::kMost) -
         hn::PromoteTo(D(), hn::BitCast(ints, hn::And(word, hn::Set(words, SunMap::Codes::kMost))));
@@ -87,9 +94,11 @@ void look_up(const Terrain& terrain, const SunMap& map, GridPoints& points) {
     const hn::Rebind<std::uint8_t, D> bytes;
     hn::StoreU(hn::DemoteTo(bytes, hn::DemoteTo(ints, hn::IfThenZeroElse(lit, known))), bytes,
                points.shaded.data() + i);
-    const std::uint32_t decided = bits_of(hn::And(sure, hn::Or(lit, below)));
-    const std::uint32_t sure_bits = bits_of(sure);
+    const std::uint32_t decided = bits_of(hn::And(has_word, hn::Or(lit, below)));
     std::uint32_t others = ~decided & lanes_below(points.count, i);
+    const M over_grid =
+        hn::And(hn::Min(column, row) >= of(0), hn::And(column <= last_column, row <= last_row));
+    const std::uint32_t sure_bits = others == 0 ? 0 : bits_of(hn::And(sure, over_grid));
     for (; others != 0; others &= others - 1) {
       const auto lane = static_cast<std::uint32_t>(__builtin_ctz(others));
       auto& list = (sure_bits >> lane & 1) != 0 ? points.unknown : points.nowhere;

@@ -44,7 +44,7 @@ class StripSweep {
   }
 
   void run() {
-    for (int line = 0; line <= sweep_.last_line; line += kSunPanelLines) {
+    for (int line = 0; line <= sweep_.part.last.y; line += kSunPanelLines) {
       const int end = std::min(line + kSunPanelLines, field_.lines() - 1);
       if (line > 0 && line <= sweep_.first_line && sweep_.first_line < end) pass_skipped(line);
       if (end > sweep_.first_line && load_panel(line, end))
@@ -179,7 +179,7 @@ class StripSweep {
     const Range beside{static_cast<int>(std::floor(std::min(0.0, rates.drift - turn))),
                        static_cast<int>(std::ceil(std::max(0.0, rates.drift + turn)))};
     look_at_cells(line);
-    light_cells(line, strips, beside);
+    if (sweep_.part.has_line(line)) light_cells(line, strips, beside);
     pass_cells(turned(strips));
     pass_edges(turned(range_of(in_strip - astray, in_strip + 1 + astray)));
     stray();
@@ -287,14 +287,15 @@ class StripSweep {
     }
   }
 
-  // The cells of a line that are these strips', as far as the next strips' own: rays towards one
-  // sun do not cross, so each cell is of one sweep.
+  // The cells of a line that are kept and these strips', as far as the next strips' own: rays
+  // towards one sun do not cross, so each cell is of one sweep.
   [[nodiscard]] Range own_cells(int line) const {
     assert(track_.x(line) <= track_after_.x(line));
-    const int width = field_.posts() - 1;
+    if (!sweep_.part.has_line(line)) return {0, 0};
+    const int end = sweep_.part.last.x + 1;
     const int most = static_cast<int>(kCells) - 2 * kSunHalo;
-    const int first = std::clamp(track_.x(line), 0, width);
-    return {first, std::clamp(std::min(track_after_.x(line), track_.x(line) + most), first, width)};
+    const int first = std::clamp(track_.x(line), sweep_.part.first.x, end);
+    return {first, std::clamp(std::min(track_after_.x(line), track_.x(line) + most), first, end)};
   }
 
   // Of a cell of the panel.
@@ -304,10 +305,9 @@ class StripSweep {
   }
 
   void put_rows(int end) {
-    for (int line = panel_line_; line < end; ++line) {
-      const Range own = own_cells(line);
-      std::copy_n(word(own.first, line), own.last - own.first, sweep_.at(own.first, line));
-    }
+    for (int line = panel_line_; line < end; ++line)
+      if (const Range own = own_cells(line); own.first < own.last)
+        std::copy_n(word(own.first, line), own.last - own.first, sweep_.at(own.first, line));
   }
 
   // Four rows at a time, where all lines have them.
@@ -320,7 +320,7 @@ class StripSweep {
     if (end - panel_line_ < kSunPanelLines || common.last < common.first) common = {0, 0};
     common.last -= (common.last - common.first) % 4;
     const int back = field_.from_last() ? 3 : 0;
-    const auto columns = static_cast<std::size_t>(sweep_.grid.columns - 1);
+    const auto columns = static_cast<std::size_t>(sweep_.words_a_row);
     std::array<const std::uint32_t*, kSunPanelLines> from{};
     for (int i = 0; i < kSunPanelLines; ++i)
       from[static_cast<std::size_t>(i)] = word(0, panel_line_ + i);

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <utility>
 
+#include <glm/vec2.hpp>
+
 #include "terrain/height_grid.h"
 #include "terrain/sun_field.h"
 
@@ -21,21 +23,31 @@ inline constexpr int kSunHalo = 24;
 // Lines of cells over which rays go alike.
 inline constexpr int kSunPanelLines = 16;
 
+// Cells as places on lines: (x, line), both included.
+struct SunPart {
+  glm::ivec2 first, last;
+
+  [[nodiscard]] bool has_line(int line) const { return line >= first.y && line <= last.y; }
+};
+
 struct SunSweep {
   const HeightGrid& grid;
   const SunField& field;
-  double slack;               // more than the rounding of heights along rays
-  double low, per_height;     // of codes: SunMap::Codes
-  double highest;             // ground, of lines that are not swept
-  int first_line, last_line;  // of cells
-  std::uint32_t* words;       // of cells row by row
+  double slack;            // more than the rounding of heights along rays
+  double low, per_height;  // of codes: SunMap::Codes
+  double highest;          // ground, of lines that are not swept
+  int first_line;          // of cells
+  SunPart part;            // the cells whose words are kept
+  // Row by row, from that of this cell on.
+  std::uint32_t* words;
+  glm::ivec2 first_cell;
+  int words_a_row;
 
   // Of the cell between the lines `line` and `line` + 1, the posts x and x + 1.
   [[nodiscard]] std::uint32_t* at(int x, int line) const {
     const int across = field.from_last() ? field.lines() - 2 - line : line;
     const auto [column, row] = field.over_rows() ? std::pair(x, across) : std::pair(across, x);
-    return words + static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns - 1) +
-           column;
+    return words + std::ptrdiff_t{row - first_cell.y} * words_a_row + (column - first_cell.x);
   }
 
   // The row or the column of posts.
