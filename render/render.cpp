@@ -201,8 +201,7 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
 Frame render(const Scene& scene, const Camera& camera, const RenderOptions& options) {
   const PixelRect margin = margin_of(scene, camera, options);
   const glm::ivec2 size_px = camera.options().size_px;
-  const std::int64_t pixels = std::int64_t{size_px.x} * size_px.y;
-  const Scene lit = with_sun_map(scene, pixels, options.threads);
+  const Scene lit = with_sun_map(scene, camera, options.threads);
   if (margin == PixelRect{{0, 0}, size_px}) return Picture(lit, camera, options).render();
   const Camera wider = camera.part(margin);
   RenderOptions for_wider = options;

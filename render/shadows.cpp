@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/cells_in_view.h"
 #include "render/objects/scene_objects.h"
 #include "render/parallel.h"
 #include "terrain/occlusion.h"
@@ -22,6 +23,9 @@ constexpr int kObjectRays = 8;  // a strip
 // parallel, and on a round Earth or where tracks bend (docs/decisions/sun-map.md).
 constexpr double kCellsAParallelRay = 15;
 constexpr double kCellsARay = 25;
+
+// Cells that are made while cells_in_view() looks which they are.
+constexpr double kCellsOfProbe = 1 << 20;
 
 // Directions of the sun's disc.
 class SunDisc {
@@ -198,6 +202,33 @@ void add_point(const Light& light, SunRays& rays, std::span<float> shares) {
     if (shares[i] > 0 && rays.meets_object(i, light.towards_sun)) shares[i] = 0;
 }
 
+bool can_have_sun_map(const Scene& scene) {
+  return scene.light.casts_shadows && !(scene.light.sun_radius_rad > 0) && !scene.sun_map &&
+         scene.terrain->skips_blocks() && scene.terrain->layers().size() == 1;
+}
+
+CellRect all_cells(const Terrain& terrain) {
+  const HeightGrid& grid = *terrain.layers()[0].grid;
+  return {{0, 0}, glm::ivec2(grid.columns, grid.rows) - 2};
+}
+
+double count_of(const CellRect& cells) {
+  return static_cast<double>(cells.size().x) * cells.size().y;
+}
+
+Scene mapped(const Scene& scene, const CellRect& cells, std::int64_t points, int threads) {
+  const Terrain& terrain = *scene.terrain;
+  const bool parallel = terrain.frame().is_flat() && terrain.layers()[0].map->linear();
+  if (static_cast<double>(points) * (parallel ? kCellsAParallelRay : kCellsARay) < count_of(cells))
+    return scene;
+  Scene lit = scene;
+  lit.sun_map = SunMap::make(
+      terrain, scene.light.towards_sun,
+      [&](int count, const std::function<void(int)>& work) { parallel_for(count, threads, work); },
+      cells);
+  return lit;
+}
+
 }  // namespace
 
 ShadowCasters shadow_casters(const Scene& scene) {
@@ -208,20 +239,19 @@ ShadowCasters shadow_casters(const Scene& scene) {
 }
 
 Scene with_sun_map(const Scene& scene, std::int64_t points, int threads) {
-  const Terrain& terrain = *scene.terrain;
-  if (!scene.light.casts_shadows || scene.light.sun_radius_rad > 0 || scene.sun_map ||
-      !terrain.skips_blocks() || terrain.layers().size() != 1)
-    return scene;
-  const TerrainLayer& layer = terrain.layers()[0];
-  const bool parallel = terrain.frame().is_flat() && layer.map->linear();
-  const double cells = static_cast<double>(layer.grid->columns) * layer.grid->rows;
-  if (static_cast<double>(points) * (parallel ? kCellsAParallelRay : kCellsARay) < cells)
-    return scene;
-  Scene lit = scene;
-  lit.sun_map = SunMap::make(
-      terrain, scene.light.towards_sun,
-      [&](int count, const std::function<void(int)>& work) { parallel_for(count, threads, work); });
-  return lit;
+  return can_have_sun_map(scene) ? mapped(scene, all_cells(*scene.terrain), points, threads)
+                                 : scene;
+}
+
+Scene with_sun_map(const Scene& scene, const Camera& camera, int threads) {
+  if (!can_have_sun_map(scene)) return scene;
+  const glm::ivec2 size_px = camera.options().size_px;
+  const CellRect all = all_cells(*scene.terrain);
+  CellRect cells = all;
+  if (count_of(all) > kCellsOfProbe) cells = cells_in_view(*scene.terrain, camera, threads);
+  // What is seen here and there beyond the part is worth more than the rest of the grid.
+  if (count_of(cells) > count_of(all) / 2) cells = all;
+  return mapped(scene, cells, std::int64_t{size_px.x} * size_px.y, threads);
 }
 
 std::vector<std::uint8_t> stopped(const Terrain& terrain, std::span<const Ray> rays) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "render/camera.h"
 #include "render/objects/object_set.h"
 #include "render/scene.h"
 
@@ -26,6 +27,8 @@ struct ShadowCasters {
 // `scene` with a map of the cells that its sun shines on, where that is made sooner than so many
 // points find their shadows without; else `scene` itself. Pictures are the same.
 [[nodiscard]] Scene with_sun_map(const Scene& scene, std::int64_t points, int threads);
+// Of a picture; of a large DEM, of the part that it shows.
+[[nodiscard]] Scene with_sun_map(const Scene& scene, const Camera& camera, int threads);
 
 struct ShadowCounts {
   std::int64_t rays = 0;  // or look-ups in a map
