@@ -156,7 +156,6 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
       ceilings_(*terrain.layers()[0].ceilings),
       wedges_a_side_(terrview::wedges_a_side(options.wedge_rad)),
       margin_cells_(terrain.layers()[0].map->linear() ? kStraightMargin_cells : kBentMargin_cells),
-      line_margin_cells_(terrain.layers()[0].map->linear() ? kLineMargin_cells : kBentMargin_cells),
       looks_at_lines_(options.looks_at_lines && EyeCell(terrain).is_above_ground()),
       // Rays that rise may look over a near ridge and come far.
       highest_slope_(options.highest_slope < 0 ? static_cast<float>(options.highest_slope)
@@ -284,11 +283,14 @@ void EyeFront::make_starts(int group, const WedgeEdges& edges) const {
   for (std::size_t i = 0; i < kGroup; ++i)
     std::ranges::fill(starts_of(i), std::numeric_limits<float>::infinity());
   WedgeDistances known_m{};
-  if (looks_at_lines_)
-    known_m =
-        meet_lines(terrain_, edges,
-                   {line_margin_cells_, furthest_line_m_, highest_slope_, first_bin_, last_bin_},
-                   group_starts_m);
+  if (looks_at_lines_) {
+    const double margin_cells =
+        kLineMargin_cells + bend_between_edges(edges, group, wedges_a_side_,
+                                               *terrain_.layers()[0].map, 4 * furthest_line_m_);
+    known_m = meet_lines(terrain_, edges,
+                         {margin_cells, furthest_line_m_, highest_slope_, first_bin_, last_bin_},
+                         group_starts_m);
+  }
   for (std::size_t i = 0; i < kGroup; ++i) {
     const std::span<float> starts_m = starts_of(i);
     if (looks_at_lines_) spread_down(starts_m, margin_m_);

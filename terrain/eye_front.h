@@ -116,7 +116,6 @@ class EyeFront {
   std::vector<int> levels_;  // by ring: of the blocks that cover its sectors
   std::vector<std::int32_t> ring_at_step_;
   double step_m_ = 0;  // the narrowest ring
-  double line_margin_cells_;
   double furthest_line_m_ = 0;
   bool looks_at_lines_;
   float highest_slope_;

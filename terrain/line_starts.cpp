@@ -225,14 +225,12 @@ class LineMeeter {
     s.last_cell = hn::Min(hn::Floor(s.to), of(kind.last_along - 1));
     s.is_short = s.last_cell - s.first_cell < of(kMostParts);
     const V width = b.along - a.along;
-    s.tells = hn::And(hn::Abs(width) > of(4) * s.off_posts, is_straight());
+    s.tells = hn::Abs(width) > of(4) * s.off_posts;
     s.metres = (b.at_m - a.at_m) / width;
     s.along = a.along;
     s.at_m = a.at_m;
     return s;
   }
-
-  VEC_INLINE M is_straight() const { return is_straight_ ? of(0) == of(0) : of(0) > of(0); }
 
   // The nearest and the furthest that wedges have a line between two places.
   struct Distances {

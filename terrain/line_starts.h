@@ -19,7 +19,7 @@ namespace terrview {
 using WedgeDistances = std::array<float, EyeFront::kGroup>;
 
 struct LineStartsOptions {
-  double margin_cells;   // what rays may stray from their tracks
+  double margin_cells;   // what rays may stray from the chords between the edges of their wedges
   double furthest_m;     // no line beyond is looked at
   double highest_slope;  // what is behind lines seen more steeply does not matter
   int first_bin;         // these stand for those below and above them, too

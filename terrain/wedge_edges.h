@@ -29,4 +29,10 @@ struct WedgeEdges {
 // which a ray finds its wedge.
 [[nodiscard]] WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map);
 
+// In posts: no track between the edges of these wedges is further, up to `to_m`, from where the
+// straight lines from one edge's track to the other's are at the same distance. 0 where tracks are
+// straight.
+[[nodiscard]] double bend_between_edges(const WedgeEdges& edges, int group, int wedges_a_side,
+                                        const GroundMap& map, double to_m);
+
 }  // namespace terrview
