@@ -13,8 +13,12 @@
 namespace terrview {
 namespace {
 
+// Of to_srgb(), near black.
+constexpr float kLineSlope = 12.92F;
+constexpr float kLineEnd = 0.0031308F;
+
 float to_linear(float srgb) {
-  return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+  return srgb <= 0.04045F ? srgb / kLineSlope : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
 }
 
 // By the upper half of a float's bits, the level at its lowest value; and the least value of every
@@ -73,7 +77,10 @@ class Chords {
     for (std::uint32_t i = 0; i + 1 < chords_.size(); ++i) {
       const float from = value_of(i);
       const float to = value_of(i + 1);
-      chords_[i] = {to_srgb(from), (to_srgb(to) - to_srgb(from)) / (to - from)};
+      // Where to_srgb() is a line differences may be too small for a quotient.
+      const bool is_line = to < kLineEnd;
+      chords_[i] = {to_srgb(from),
+                    is_line ? kLineSlope : (to_srgb(to) - to_srgb(from)) / (to - from)};
     }
     chords_.back() = {1, 0};
   }
@@ -101,7 +108,7 @@ glm::vec3 from_srgb8(float red, float green, float blue) {
 
 float to_srgb(float linear) {
   const float x = std::clamp(linear, 0.0F, 1.0F);
-  return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
+  return x <= kLineEnd ? kLineSlope * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
 }
 
 std::uint8_t to_srgb8(float linear) { return levels().at(linear); }

@@ -217,8 +217,8 @@ glm::vec3 ClearSky::with_twilight(const glm::vec3& day, const glm::dvec3& direct
 
 glm::vec3 ClearSky::color(const glm::dvec3& direction) const {
   glm::dvec3 shown = direction;
-  if (direction.z < 0 && (direction.x != 0 || direction.y != 0))
-    shown = {glm::normalize(glm::dvec2(direction)), 0};
+  const double across = glm::length(glm::dvec2(direction));
+  if (direction.z < 0 && across > 0) shown = {glm::dvec2(direction) / across, 0};
   return with_twilight(daylight(std::clamp(shown.z, 0.0, 1.0), glm::dot(shown, shown_sun_)), shown);
 }
 

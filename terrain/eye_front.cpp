@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -163,6 +164,7 @@ EyeFront::EyeFront(const Terrain& terrain, const EyeFrontOptions& options)
       // That of the lowest slope itself does not stand for those below.
       first_bin_(std::max(bin_of(options.lowest_slope) - 1, 0)),
       last_bin_(bin_of(options.highest_slope)) {
+  assert(options.lowest_slope <= options.highest_slope);
   lay_rings(2.0 / wedges_a_side_);
   index_rings();
   near_m_.assign(ring_m_.begin(), ring_m_.end());

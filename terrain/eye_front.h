@@ -29,7 +29,8 @@ namespace terrview {
 
 struct EyeFrontOptions {
   double wedge_rad = 0.002;  // wedges are this wide at most
-  // What the slopes of most rays lie between. Others are traced as exactly, but not as fast.
+  // What the slopes of most rays lie between, the lowest no higher than the highest. Others are
+  // traced as exactly, but not as fast.
   double lowest_slope = -std::numeric_limits<double>::infinity();
   double highest_slope = std::numeric_limits<double>::infinity();
   // Whether starts are made of lines, too: of use where rays neither follow others nor look so
