@@ -127,6 +127,10 @@ class EyeScout {
 
   // Finds where rays first, first + 1, ... may first meet the ground. NaN: floats can't tell.
   VEC_INLINE void aim(std::size_t first) {
+    if (rays_.follows && !any_goes_on(as_floats(rays_.clear_m, first))) {
+      hn::Store(hn::Inf(F()), F(), set_.g.data() + first);
+      return;
+    }
     Scout s;
     const VF across_x = as_floats(rays_.direction_x, first);
     const VF across_y = as_floats(rays_.direction_y, first);
@@ -188,8 +192,17 @@ class EyeScout {
     return clear_m * of(1 - kRounding) - of(static_cast<float>(front_.margin_m()));
   }
 
+  // Whether one of these distances is not infinite: there is something to meet beyond.
+  static VEC_INLINE bool any_goes_on(VF clear_m) {
+    return !hn::AllTrue(F(), clear_m == hn::Inf(F()));
+  }
+
   // Rays first, first + 1, ... through their first cells.
   VEC_INLINE void begin(std::size_t first) {
+    if (!any_goes_on(hn::Load(F(), set_.g.data() + first))) {
+      hn::Store(of(-1), F(), finds_.column.data() + first);
+      return;
+    }
     const MF here = mask_from(F(), (1U << std::min(kLanes, rays_.count - first)) - 1);
     Scout s = load(first);
     s.index = of_int(static_cast<std::int32_t>(first)) + hn::Iota(I(), 0);
