@@ -176,14 +176,22 @@ class EyeScout {
 
   // Makes the groups of wedges that have not been made.
   VEC_INLINE void make_groups(VI groups) {
-    if (hn::AllTrue(I(), groups == of_int(made_))) return;
+    const VI beside = hn::Or(groups - of_int(first_made_), of_int(last_made_) - groups);
+    if (hn::AllFalse(I(), beside < of_int(0))) return;
     alignas(64) std::array<std::int32_t, 16> lanes;
     hn::Store(groups, I(), lanes.data());
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (lanes[lane] == made_) continue;
-      made_ = lanes[lane];
-      front_.make(made_);
-    }
+    for (std::size_t lane = 0; lane < kLanes; ++lane) make_group(lanes[lane]);
+  }
+
+  void make_group(std::int32_t group) {
+    if (group >= first_made_ && group <= last_made_) return;
+    front_.make(group);
+    if (group == last_made_ + 1)
+      last_made_ = group;
+    else if (group == first_made_ - 1)
+      first_made_ = group;
+    else
+      first_made_ = last_made_ = group;
   }
 
   // A distance up to which a ray is clear where it is up to this one, which may be off by rounding.
@@ -328,7 +336,9 @@ class EyeScout {
   FrontSearch<F> search_;
   ScoutLines<kGround> lines_;
   Walker walk_;
-  std::int32_t made_ = -1;
+  // Groups of wedges that are known to be made, from the first to the last.
+  std::int32_t first_made_ = 0;
+  std::int32_t last_made_ = -1;
   ScoutSet set_;
 };
 
