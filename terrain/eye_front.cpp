@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
@@ -286,11 +288,12 @@ void EyeFront::make_starts(int group, const WedgeEdges& edges) const {
     std::ranges::fill(starts_of(i), std::numeric_limits<float>::infinity());
   WedgeDistances known_m{};
   if (looks_at_lines_) {
-    const double margin_cells =
-        kLineMargin_cells + bend_between_edges(edges, group, wedges_a_side_,
-                                               *terrain_.layers()[0].map, 4 * furthest_line_m_);
+    std::vector<double> margins_cells = bends_between_edges(
+        edges, group, wedges_a_side_, *terrain_.layers()[0].map, 4 * furthest_line_m_);
+    for (double& margin : margins_cells) margin += kLineMargin_cells;
     known_m = meet_lines(terrain_, edges,
-                         {margin_cells, furthest_line_m_, highest_slope_, first_bin_, last_bin_},
+                         {std::move(margins_cells), kBentMargin_cells, furthest_line_m_,
+                          highest_slope_, first_bin_, last_bin_},
                          group_starts_m);
   }
   for (std::size_t i = 0; i < kGroup; ++i) {

@@ -34,8 +34,8 @@ struct LineKind {
 class EdgeTracks {
  public:
   EdgeTracks(const std::vector<double>& begins_m, const std::vector<WedgeEdges::Piece>& pieces,
-             const LineKind& kind, double margin, std::size_t first)
-      : begins_m_(begins_m), pieces_(pieces), kind_(kind), margin_(margin), first_(first) {
+             const LineKind& kind, const std::vector<double>& margins, std::size_t first)
+      : begins_m_(begins_m), pieces_(pieces), kind_(kind), margins_(margins), first_(first) {
     for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) set(lane, 0);
   }
 
@@ -44,6 +44,8 @@ class EdgeTracks {
     V at_m, along;
     V off_m, off_posts;
     V rate_across;
+    V begin_m;  // of the piece
+    V margin;
   };
 
   // Where the tracks cross the lines at `line`, each further than those before.
@@ -58,7 +60,9 @@ class EdgeTracks {
       at_m = meet(line);
     }
     const V along = values(start_along_) + values(rate_along_) * (at_m - values(begin_m_));
-    return {at_m, along, values(off_m_), values(off_posts_), rate_across()};
+    return {
+        at_m,           along, values(off_m_), values(off_posts_), rate_across(), values(begin_m_),
+        values(margin_)};
   }
 
   VEC_INLINE V rate_across() const { return values(rate_across_); }
@@ -86,18 +90,19 @@ class EdgeTracks {
     start_along_[lane] = value(kind_.start_along);
     rate_along_[lane] = value(kind_.rate_along);
     metres_across_[lane] = 1 / rate_across_[lane];
-    off_m_[lane] = margin_ * std::abs(metres_across_[lane]);
-    off_posts_[lane] = margin_ + off_m_[lane] * std::abs(rate_along_[lane]);
+    margin_[lane] = margins_[piece];
+    off_m_[lane] = margin_[lane] * std::abs(metres_across_[lane]);
+    off_posts_[lane] = margin_[lane] + off_m_[lane] * std::abs(rate_along_[lane]);
   }
 
   const std::vector<double>& begins_m_;
   const std::vector<WedgeEdges::Piece>& pieces_;
   const LineKind& kind_;
-  double margin_;
+  const std::vector<double>& margins_;
   std::size_t first_;
   std::array<std::size_t, kVectorLanes> piece_{};
   alignas(64) Lanes begin_m_{}, end_m_{}, start_across_{}, rate_across_{}, start_along_{},
-      rate_along_{}, metres_across_{}, off_m_{}, off_posts_{};
+      rate_along_{}, metres_across_{}, margin_{}, off_m_{}, off_posts_{};
 };
 
 // A table of starts, by wedges from the first lane's on.
@@ -140,14 +145,15 @@ class LineMeeter {
         posts_(*terrain.layers()[0].grid),
         edges_(edges),
         is_straight_(terrain.layers()[0].map->linear() != nullptr),
-        margin_(options.margin_cells),
+        margins_(options.margins_cells),
+        knot_margin_(options.knot_margin_cells),
         furthest_m_(options.furthest_m),
         highest_slope_(options.highest_slope) {}
 
   // Of wedges `first`, ...; returns up to where the lines are known.
   VEC_INLINE V run(const LineKind& kind, std::size_t first, const StartTable& table) const {
-    EdgeTracks a(edges_.begins_m, edges_.pieces_a, kind, margin_, first);
-    EdgeTracks b(edges_.begins_m, edges_.pieces_b, kind, margin_, first);
+    EdgeTracks a(edges_.begins_m, edges_.pieces_a, kind, margins_, first);
+    EdgeTracks b(edges_.begins_m, edges_.pieces_b, kind, margins_, first);
     const M forward = a.rate_across() > of(0);
     const V step = hn::IfThenElse(forward, of(1), of(-1));
     V line = first_line(a, kind, forward);
@@ -193,8 +199,8 @@ class LineMeeter {
   // Where they stand, or where they come to the grid.
   VEC_INLINE V first_line(const EdgeTracks& a, const LineKind& kind, M forward) const {
     const V at = a.start_across();
-    const V up = hn::Max(hn::Ceil(at - of(margin_)), of(0));
-    const V down = hn::Min(hn::Floor(at + of(margin_)), of(kind.last_across));
+    const V up = hn::Max(hn::Ceil(at - of(margins_.front())), of(0));
+    const V down = hn::Min(hn::Floor(at + of(margins_.front())), of(kind.last_across));
     return hn::IfThenElse(forward, up, down);
   }
 
@@ -212,8 +218,12 @@ class LineMeeter {
 
   VEC_INLINE Stretch stretch_of(const LineKind& kind, const Crossing& a, const Crossing& b) const {
     Stretch s;
-    s.off_m = hn::Max(a.off_m, b.off_m);
-    s.off_posts = hn::Max(a.off_posts, b.off_posts);
+    // With a knot between them what lies between the edges bends there.
+    const M on_one_piece = a.begin_m == b.begin_m;
+    const V widened = hn::Max(of(knot_margin_) / hn::Min(a.margin, b.margin), of(1));
+    const V times = hn::IfThenElse(on_one_piece, of(1), widened);
+    s.off_m = times * hn::Max(a.off_m, b.off_m);
+    s.off_posts = times * hn::Max(a.off_posts, b.off_posts);
     s.near_m = nearest(hn::Min(a.at_m, b.at_m) - s.off_m);
     s.far_m = hn::Max(hn::Max(a.at_m, b.at_m) + s.off_m, of(kLeast_m));
     const V low = hn::Min(a.along, b.along) - s.off_posts;
@@ -225,7 +235,7 @@ class LineMeeter {
     s.last_cell = hn::Min(hn::Floor(s.to), of(kind.last_along - 1));
     s.is_short = s.last_cell - s.first_cell < of(kMostParts);
     const V width = b.along - a.along;
-    s.tells = hn::Abs(width) > of(4) * s.off_posts;
+    s.tells = hn::And(hn::Abs(width) > of(4) * s.off_posts, on_one_piece);
     s.metres = (b.at_m - a.at_m) / width;
     s.along = a.along;
     s.at_m = a.at_m;
@@ -296,7 +306,8 @@ class LineMeeter {
   VectorPosts posts_;
   const WedgeEdges& edges_;
   bool is_straight_;
-  double margin_;
+  const std::vector<double>& margins_;
+  double knot_margin_;
   double furthest_m_;
   double highest_slope_;
 };

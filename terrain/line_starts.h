@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "terrain/eye_front.h"
 #include "terrain/terrain.h"
@@ -19,7 +20,10 @@ namespace terrview {
 using WedgeDistances = std::array<float, EyeFront::kGroup>;
 
 struct LineStartsOptions {
-  double margin_cells;   // what rays may stray from the chords between the edges of their wedges
+  // What crossings may be off, of lines from edge to edge of a wedge: by piece of the tracks, where
+  // both edges are on it, and where they are not.
+  std::vector<double> margins_cells;
+  double knot_margin_cells;
   double furthest_m;     // no line beyond is looked at
   double highest_slope;  // what is behind lines seen more steeply does not matter
   int first_bin;         // these stand for those below and above them, too

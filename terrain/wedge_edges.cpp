@@ -37,57 +37,47 @@ void set_pieces(std::vector<WedgeEdges::Piece>& pieces, std::size_t wedge, glm::
   }
 }
 
-// What lies between the tracks of a wedge's edges, up to a distance, in posts.
+// What lies between the tracks of wedges' edges, in posts.
 class TrackChords {
  public:
-  TrackChords(const WedgeEdges& edges, const EyeTracks& tracks, double to_m)
-      : edges_(edges), tracks_(tracks), to_m_(to_m) {}
+  TrackChords(const WedgeEdges& edges, const EyeTracks& tracks) : edges_(edges), tracks_(tracks) {}
 
-  // How far off the chords the table has tracks of the directions that part its sectors.
-  [[nodiscard]] double bend(std::size_t i, int wedge, int wedges_a_side) const {
+  // How far off the chords of a piece, `past_m` on it, the table has tracks of the directions that
+  // part its sectors.
+  [[nodiscard]] double bend(std::size_t i, int wedge, int wedges_a_side, std::size_t piece,
+                            double past_m) const {
     const int sectors = tracks_.sectors_a_side();
     const int side = wedge / wedges_a_side;
     const double first = static_cast<double>(wedge % wedges_a_side) * sectors / wedges_a_side;
     const double end = first + static_cast<double>(sectors) / wedges_a_side;
-    const glm::dmat2 to_shares =
-        glm::inverse(glm::dmat2(edges_.x_a[i], edges_.y_a[i], edges_.x_b[i], edges_.y_b[i]));
     double most = 0;
     for (int k = static_cast<int>(first) + 1; k < end; ++k) {
       const glm::dvec2 direction = sector_edge(side, k, sectors);
-      const glm::dvec2 shares = to_shares * direction;
-      visit_knots([&](std::size_t piece, double past_m) {
-        const EyeTracks::Start start =
-            tracks_.start(side * sectors + k, static_cast<int>(piece), direction);
-        const glm::dvec2 chord = shares.x * from_eye(edges_.pieces_a[piece], i, past_m) +
-                                 shares.y * from_eye(edges_.pieces_b[piece], i, past_m);
-        const glm::dvec2 track = start.uv + start.rate * past_m - tracks_.eye_uv();
-        most = std::max(most, glm::distance(track, chord));
-      });
+      const glm::dmat2 edges(edges_.x_a[i], edges_.y_a[i], edges_.x_b[i], edges_.y_b[i]);
+      const glm::dvec2 shares = glm::inverse(edges) * direction;
+      const EyeTracks::Start start =
+          tracks_.start(side * sectors + k, static_cast<int>(piece), direction);
+      const glm::dvec2 chord = shares.x * from_eye(edges_.pieces_a[piece], i, past_m) +
+                               shares.y * from_eye(edges_.pieces_b[piece], i, past_m);
+      const glm::dvec2 track = start.uv + start.rate * past_m - tracks_.eye_uv();
+      most = std::max(most, glm::distance(track, chord));
     }
     return most;
   }
 
-  // How far from the eye pieces of the edges' tracks come, carried back to it.
-  [[nodiscard]] double miss(std::size_t i) const {
-    double most = 0;
-    visit_knots([&](std::size_t piece, double) {
-      for (const auto* pieces : {&edges_.pieces_a, &edges_.pieces_b})
-        most = std::max(most, glm::length(from_eye((*pieces)[piece], i, -edges_.begins_m[piece])));
-    });
-    return most;
+  // Where pieces of the two edges, carried back to the eye, miss it: how far apart, and by how
+  // much.
+  struct Misses {
+    double apart, most;
+  };
+  [[nodiscard]] Misses misses(std::size_t i, std::size_t piece) const {
+    const double back_m = -edges_.begins_m[piece];
+    const glm::dvec2 a = from_eye(edges_.pieces_a[piece], i, back_m);
+    const glm::dvec2 b = from_eye(edges_.pieces_b[piece], i, back_m);
+    return {glm::distance(a, b), std::max(glm::length(a), glm::length(b))};
   }
 
  private:
-  // Up to the last knot before to_m_, and there.
-  template <class Visit>
-  void visit_knots(const Visit& visit) const {
-    std::size_t piece = 0;
-    for (; piece + 1 < edges_.begins_m.size() && edges_.begins_m[piece + 1] < to_m_; ++piece)
-      visit(piece, 0.0);
-    visit(piece, 0.0);
-    visit(piece, to_m_ - edges_.begins_m[piece]);
-  }
-
   [[nodiscard]] glm::dvec2 from_eye(const WedgeEdges::Piece& piece, std::size_t i,
                                     double past_m) const {
     const glm::dvec2 start(piece.start_u[i], piece.start_v[i]);
@@ -97,7 +87,6 @@ class TrackChords {
 
   const WedgeEdges& edges_;
   const EyeTracks& tracks_;
-  double to_m_;
 };
 
 }  // namespace
@@ -128,22 +117,40 @@ WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map) {
   return edges;
 }
 
-// Within a sector of the table tracks are linear in the direction's x and y, and in the distance
-// between knots: so they leave chords most where two sectors meet, at a knot. The direction there,
-// of unit length, is up to `bulge` times that of the chord: that is another place on its track, but
-// for what its piece, and the next one, miss the eye by.
-double bend_between_edges(const WedgeEdges& edges, int group, int wedges_a_side,
-                          const GroundMap& map, double to_m) {
-  if (!map.eye_tracks()) return 0;
-  const TrackChords chords(edges, *map.eye_tracks(), to_m);
-  double bend = 0;
-  double miss = 0;
-  for (std::size_t i = 0; i < EyeFront::kGroup; ++i) {
-    bend = std::max(bend,
-                    chords.bend(i, group * EyeFront::kGroup + static_cast<int>(i), wedges_a_side));
-    miss = std::max(miss, chords.miss(i));
+// Were the lines of a piece all to come from one point, what they cross a line of the grid at would
+// be linear from edge to edge. But
+//
+// - carried back, the edges' miss each other: all are nearer to lines from the middle between them
+//   than half of that, at both ends and between, and interpolation goes a quarter beyond the edges;
+// - the table's tracks are linear in the direction within a sector, so they leave the chords
+// between
+//   the edges most where two sectors meet, at an end of the piece;
+// - directions are of unit length, up to `bulge` times that of the chord: that is another place on
+//   the chord's track, but for what its piece, or the next one, misses the eye by.
+std::vector<double> bends_between_edges(const WedgeEdges& edges, int group, int wedges_a_side,
+                                        const GroundMap& map, double to_m) {
+  const std::size_t pieces = edges.begins_m.size();
+  std::vector<double> bends(pieces, 0.0);
+  if (!map.eye_tracks()) return bends;
+  const TrackChords chords(edges, *map.eye_tracks());
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    const double begin_m = edges.begins_m[piece];
+    if (piece > 0 && begin_m >= to_m) {
+      bends[piece] = bends[piece - 1];
+      continue;
+    }
+    const std::size_t next = std::min(piece + 1, pieces - 1);
+    const double end_m = next > piece ? edges.begins_m[next] : std::max(to_m, begin_m);
+    for (std::size_t i = 0; i < EyeFront::kGroup; ++i) {
+      const int wedge = group * EyeFront::kGroup + static_cast<int>(i);
+      const double bend = std::max(chords.bend(i, wedge, wedges_a_side, piece, 0),
+                                   chords.bend(i, wedge, wedges_a_side, piece, end_m - begin_m));
+      const auto [apart, most] = chords.misses(i, piece);
+      const double miss = std::max(most, chords.misses(i, next).most);
+      bends[piece] = std::max(bends[piece], bend + 1.5 * apart + 3 * (edges.bulge - 1) * miss);
+    }
   }
-  return bend + 3 * (edges.bulge - 1) * miss;
+  return bends;
 }
 
 }  // namespace terrview

@@ -29,10 +29,12 @@ struct WedgeEdges {
 // which a ray finds its wedge.
 [[nodiscard]] WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map);
 
-// In posts: no track between the edges of these wedges is further, up to `to_m`, from where the
-// straight lines from one edge's track to the other's are at the same distance. 0 where tracks are
-// straight.
-[[nodiscard]] double bend_between_edges(const WedgeEdges& edges, int group, int wedges_a_side,
-                                        const GroundMap& map, double to_m);
+// By piece of the tracks, in posts: where a track between the edges of these wedges crosses a line
+// of the grid, and what lies between the edges' crossings of it by linear interpolation, where all
+// are on that piece, are no further apart. 0 where tracks are straight. Up to `to_m`; pieces that
+// begin beyond have what the last before them has.
+[[nodiscard]] std::vector<double> bends_between_edges(const WedgeEdges& edges, int group,
+                                                      int wedges_a_side, const GroundMap& map,
+                                                      double to_m);
 
 }  // namespace terrview
