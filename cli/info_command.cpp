@@ -35,7 +35,7 @@ InfoOptions parse_info(const std::vector<std::string>& args) {
 }
 
 std::vector<Dem> read(InfoOptions& options) {
-  ProgressBar bar("reading", options.bar.shown());
+  ProgressBar bar("reading", options.bar.show());
   options.dem.progress = [&](double share) {
     check_interrupt();
     bar.report(share);

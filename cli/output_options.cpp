@@ -5,7 +5,6 @@
 
 #include "cli/command_line.h"
 #include "cli/parse.h"
-#include "cli/progress.h"
 
 namespace terrview {
 
@@ -34,8 +33,6 @@ std::string usual_extension(const std::string& format) {
   if (name.empty()) return ".png";
   return name == "gtiff" || name == "cog" ? ".tif" : "." + name;
 }
-
-bool BarOptions::shown() const { return !quiet && (progress || stderr_is_terminal()); }
 
 void add_bar_options(CommandLine& app, bool& quiet, bool& progress) {
   app.add_flag("-q,--quiet", quiet, "No messages but errors");

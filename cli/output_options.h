@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "cli/progress.h"
+
 namespace terrview {
 
 class CommandLine;
@@ -18,12 +20,11 @@ void add_format_options(CommandLine& app, std::string& format,
 // Of a file in `format`, as --of has it, with the dot; empty: png.
 [[nodiscard]] std::string usual_extension(const std::string& format);
 
-// Whether a progress bar is shown.
 struct BarOptions {
   bool quiet = false;
   bool progress = false;
 
-  [[nodiscard]] bool shown() const;
+  [[nodiscard]] ShowBar show() const { return show_bar(quiet, progress); }
 };
 
 // -q, --quiet and --progress.

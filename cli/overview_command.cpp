@@ -22,7 +22,7 @@ namespace terrview {
 namespace {
 
 Frame render_block(const OverviewOptions& options, const View& view) {
-  ProgressBar bar("rendering", shows_bar(options.view));
+  ProgressBar bar("rendering", show_bar(options.view));
   return render(view.scene, view.camera,
                 {.threads = options.view.threads,
                  .samples = options.view.sampling.samples,

@@ -143,7 +143,7 @@ void resolve_plan(const ViewOptions& options, const ViewFrame& frame, const Dem&
 
 PlanFrame draw_plan(const ViewOptions& options, const View& view, const PlanLattice& lattice,
                     const std::string& label) {
-  ProgressBar bar(label, shows_bar(options));
+  ProgressBar bar(label, show_bar(options));
   return render_plan(view.scene, lattice,
                      {.threads = options.threads,
                       .samples = std::max(1, options.sampling.samples),

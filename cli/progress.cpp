@@ -23,17 +23,22 @@ double now_s() {
 
 }  // namespace
 
-bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+ShowBar show_bar(bool quiet, bool asked) {
+  if (quiet) return ShowBar::never;
+  if (asked) return ShowBar::always;
+  return ::isatty(STDERR_FILENO) == 1 ? ShowBar::for_long_work : ShowBar::never;
+}
 
-ProgressBar::ProgressBar(std::string label, bool shown)
-    : label_(std::move(label)), shown_(shown), start_s_(now_s()) {}
+ProgressBar::ProgressBar(std::string label, ShowBar show)
+    : label_(std::move(label)), show_(show), start_s_(now_s()) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_percent_ >= 0) std::fputc('\n', stderr);
 }
 
 void ProgressBar::report(double share) {
-  if (!shown_ || now_s() - start_s_ < kQuiet_s) return;
+  if (show_ == ShowBar::never) return;
+  if (show_ == ShowBar::for_long_work && now_s() - start_s_ < kQuiet_s) return;
   const int percent = static_cast<int>(std::clamp(share, 0.0, 1.0) * 100);
   const std::lock_guard lock(mutex_);
   if (percent <= drawn_percent_) return;

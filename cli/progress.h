@@ -7,10 +7,18 @@
 
 namespace terrview {
 
+enum class ShowBar {
+  never,
+  for_long_work,  // once a second has passed
+  always,
+};
+
+// `asked` is --progress; unasked, a bar is for terminals.
+[[nodiscard]] ShowBar show_bar(bool quiet, bool asked);
+
 class ProgressBar {
  public:
-  // `shown` false makes it silent. Nothing is drawn before a second has passed.
-  ProgressBar(std::string label, bool shown);
+  ProgressBar(std::string label, ShowBar show);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -20,7 +28,7 @@ class ProgressBar {
 
  private:
   std::string label_;
-  bool shown_;
+  ShowBar show_;
   double start_s_;
   std::mutex mutex_;
   int drawn_percent_ = -1;
@@ -29,8 +37,5 @@ class ProgressBar {
 // parallel_for() that shows how far it is and can be interrupted.
 void parallel_for(int count, int threads, ProgressBar& bar,
                   const std::function<void(int index)>& work);
-
-// Whether standard error is a terminal.
-[[nodiscard]] bool stderr_is_terminal();
 
 }  // namespace terrview

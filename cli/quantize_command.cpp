@@ -67,8 +67,8 @@ std::unique_ptr<OutputFile> claim(const std::string& path, const CommandOptions&
 // The picture from the top, some lines at a time, with the mask where there is one.
 class Lines {
  public:
-  Lines(const PictureSource& source, const char* label, bool bar_shown)
-      : source_(source), bar_(label, bar_shown) {}
+  Lines(const PictureSource& source, const char* label, ShowBar show)
+      : source_(source), bar_(label, show) {}
 
   // False at the end.
   bool next() {
@@ -106,9 +106,9 @@ class Lines {
   std::vector<std::uint8_t> valid_;
 };
 
-ColorCounts count_colors(const PictureSource& source, bool bar_shown) {
+ColorCounts count_colors(const PictureSource& source, ShowBar show) {
   ColorCounts counts;
-  Lines lines(source, "counting", bar_shown);
+  Lines lines(source, "counting", show);
   std::vector<Rgb8> valid_colors;
   while (lines.next()) {
     for (int i = 0; i < lines.count(); ++i) {
@@ -140,7 +140,7 @@ void write_picture(const PictureSource& source, const Quantizer& quantizer,
   Rewriter rewriter(quantizer.palette, quantizer.find, options.palette.dither, source.size_px().x);
   std::vector<std::uint16_t> indices;
   {
-    Lines lines(source, "rewriting", options.bar.shown());
+    Lines lines(source, "rewriting", options.bar.show());
     while (lines.next()) {
       indices.resize(width * static_cast<std::size_t>(lines.count()));
       for (int i = 0; i < lines.count(); ++i)
@@ -149,7 +149,7 @@ void write_picture(const PictureSource& source, const Quantizer& quantizer,
       file.write(lines.first_line(), indices);
     }
   }
-  ProgressBar bar("completing", options.bar.shown());
+  ProgressBar bar("completing", options.bar.show());
   file.finish([&](double share) {
     check_interrupt();
     bar.report(share);
@@ -167,7 +167,7 @@ int run_quantize(const std::vector<std::string>& args) {
   Quantizer quantizer;
   {
     const ColorCounts counts =
-        needs_counts(options.palette) ? count_colors(source, options.bar.shown()) : ColorCounts();
+        needs_counts(options.palette) ? count_colors(source, options.bar.show()) : ColorCounts();
     quantizer = choose_palette(counts, options.palette, source.has_mask());
   }
   picture->fill([&](const std::string& path) { write_picture(source, quantizer, options, path); });

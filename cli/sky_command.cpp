@@ -155,7 +155,7 @@ std::unique_ptr<OutputFile> claim(const std::string& path, const SkyCommand& opt
 }
 
 Image paint(const SkyCommand& options) {
-  ProgressBar bar("painting", options.bar.shown());
+  ProgressBar bar("painting", options.bar.show());
   return options.is_flat ? paint_flat(options, bar) : paint_in_perspective(options, bar);
 }
 

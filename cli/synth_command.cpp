@@ -128,7 +128,7 @@ double shaped(Relief relief, double value) {
 }
 
 HeightGrid make_heights(const SynthCommand& options) {
-  ProgressBar bar("making", options.bar.shown());
+  ProgressBar bar("making", options.bar.show());
   const Relief relief = kReliefs.at(options.relief);
   constexpr int kStripRows = 64;
   const RandomField field(options.field);
@@ -157,13 +157,13 @@ HeightGrid make_heights(const SynthCommand& options) {
   return grid;
 }
 
-void let_rivers_cut(HeightGrid& grid, bool bar_shown) {
+void let_rivers_cut(HeightGrid& grid, ShowBar show) {
   const auto columns = static_cast<std::size_t>(grid.columns);
   HeightRows heights(static_cast<std::size_t>(grid.rows));
   for (std::size_t row = 0; row < heights.size(); ++row)
     heights[row].assign(grid.heights_m.begin() + static_cast<std::ptrdiff_t>(row * columns),
                         grid.heights_m.begin() + static_cast<std::ptrdiff_t>((row + 1) * columns));
-  ProgressBar bar("eroding", bar_shown);
+  ProgressBar bar("eroding", show);
   ErosionOptions how;
   how.progress = [&](double share) {
     check_interrupt();
@@ -192,7 +192,7 @@ int run_synth(const std::vector<std::string>& args) {
   const SynthCommand options = parse_synth(args);
   OutputFile file(options.output, options.overwrite);
   HeightGrid grid = make_heights(options);
-  if (kReliefs.at(options.relief) == Relief::eroded) let_rivers_cut(grid, options.bar.shown());
+  if (kReliefs.at(options.relief) == Relief::eroded) let_rivers_cut(grid, options.bar.show());
   HeightFileOptions to_file = options.file;
   to_file.description = synth_metadata(options);
   file.fill([&](const std::string& path) { write_heights(path, grid, to_file); });

@@ -11,7 +11,6 @@
 #include "cli/palette_picture.h"
 #include "cli/plan.h"
 #include "cli/prepare_view.h"
-#include "cli/progress.h"
 #include "cli/scene/place_scene.h"
 #include "cli/scene/scene_json.h"
 #include "cli/view_files.h"
@@ -34,7 +33,7 @@ bool shows_display_colors(const ViewOptions& options) {
 }
 
 Frame render(const ViewOptions& options, const View& view, const ViewFiles& files) {
-  ProgressBar bar("rendering", shows_bar(options));
+  ProgressBar bar("rendering", show_bar(options));
   RenderOptions how = render_options(options);
   how.keep_samples = files.layers != nullptr || files.objects_csv != nullptr;
   how.progress = [&](double share) {
@@ -63,7 +62,7 @@ Frame render(const ViewOptions& options, const View& view, const ViewFiles& file
 }
 
 std::string wireline_text(const ViewOptions& options, const View& view) {
-  ProgressBar bar("drawing lines", shows_bar(options));
+  ProgressBar bar("drawing lines", show_bar(options));
   const Wireline wireline = trace_wireline(view.scene, view.camera,
                                            {.step_posts = options.wireline.step_posts.value_or(0),
                                             .threads = options.threads,
@@ -142,12 +141,10 @@ RenderOptions render_options(const ViewOptions& options) {
           .preview = options.sampling.preview};
 }
 
-bool shows_bar(const ViewOptions& options) {
-  return !options.quiet && (options.progress || stderr_is_terminal());
-}
+ShowBar show_bar(const ViewOptions& options) { return show_bar(options.quiet, options.progress); }
 
 std::vector<Dem> read_with_bar(ViewOptions& options) {
-  ProgressBar bar("reading", shows_bar(options));
+  ProgressBar bar("reading", show_bar(options));
   options.dem.progress = [&](double share) {
     check_interrupt();
     bar.report(share);

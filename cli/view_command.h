@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/progress.h"
 #include "cli/shared_inputs.h"
 #include "cli/view_files.h"
 #include "cli/view_options.h"
@@ -33,7 +34,7 @@ void make_picture(const ViewOptions& options, const std::vector<Dem>& dems, Shar
 // How a view of the options is rendered, its files aside.
 [[nodiscard]] RenderOptions render_options(const ViewOptions& options);
 
-[[nodiscard]] bool shows_bar(const ViewOptions& options);
+[[nodiscard]] ShowBar show_bar(const ViewOptions& options);
 
 // The DEMs of the options, or what of them the view needs.
 [[nodiscard]] std::vector<Dem> read_with_bar(ViewOptions& options);

@@ -17,6 +17,7 @@
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
+#include "cli/view_command.h"
 #include "cli/view_messages.h"
 #include "ingest/memory_limit.h"
 #include "ingest/shared_tables.h"
@@ -50,10 +51,10 @@ std::vector<Job> jobs_of(const BatchOptions& options) {
   return make_jobs(table, {options.dems, options.values, options.ignore_columns});
 }
 
-BatchGround read_ground(const BatchOptions& options, bool shows_bar) {
+BatchGround read_ground(const BatchOptions& options, ShowBar show) {
   BatchGround ground;
   DemOptions how = options.view.dem;
-  ProgressBar bar("reading", shows_bar);
+  ProgressBar bar("reading", show);
   how.progress = [&](double share) {
     check_interrupt();
     bar.report(share);
@@ -70,17 +71,16 @@ BatchGround read_ground(const BatchOptions& options, bool shows_bar) {
 // Read when it is first needed.
 class LazyGround {
  public:
-  LazyGround(const BatchOptions& options, bool shows_bar)
-      : options_(options), shows_bar_(shows_bar) {}
+  LazyGround(const BatchOptions& options, ShowBar show) : options_(options), show_(show) {}
 
   const BatchGround& get() {
-    if (!ground_) ground_ = read_ground(options_, shows_bar_);
+    if (!ground_) ground_ = read_ground(options_, show_);
     return *ground_;
   }
 
  private:
   const BatchOptions& options_;
-  bool shows_bar_;
+  ShowBar show_;
   std::optional<BatchGround> ground_;
 };
 
@@ -114,9 +114,9 @@ void check_can_begin(const BatchOptions& options, const Shard& shard, const std:
 }
 
 int run_table(BatchOptions options) {
-  const bool shows_bar = !options.view.quiet && (options.view.progress || stderr_is_terminal());
+  const ShowBar bar = show_bar(options.view);
   const Shard shard = find_shard(options.shard, std::getenv);
-  LazyGround lazy(options, shows_bar);
+  LazyGround lazy(options, bar);
   std::vector<Job> jobs = jobs_of(options);
   check_batch_files(options, shard, jobs);
   check_can_begin(options, shard, jobs, lazy);
@@ -140,9 +140,9 @@ int run_table(BatchOptions options) {
   if (!plan.to_do.empty()) {
     const BatchGround& ground = lazy.get();
     if (!options.view.quiet) say_what_was_read(ground.dems);
-    outcome = run_jobs(
-        plan.to_do, ground, stamps, manifest,
-        {options.view.threads, memory_limit_bytes(options.view.dem.memory_bytes), shows_bar});
+    outcome =
+        run_jobs(plan.to_do, ground, stamps, manifest,
+                 {options.view.threads, memory_limit_bytes(options.view.dem.memory_bytes), bar});
   }
   return report_batch(options, plan, outcome, manifest);
 }

@@ -57,7 +57,7 @@ class Run {
       : jobs_(jobs),
         ground_(ground),
         manifest_(manifest),
-        bar_("views", options.shows_bar),
+        bar_("views", options.show_bar),
         threads_(thread_count(options.threads)),
         in_flight_(views_in_flight(jobs, ground.dems, threads_, options.memory_bytes)) {
     for (const Job* job : jobs) job_inputs_.push_back(inputs_now(*job, stamps));

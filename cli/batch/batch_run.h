@@ -7,6 +7,7 @@
 #include "cli/batch/fingerprint.h"
 #include "cli/batch/job.h"
 #include "cli/batch/manifest.h"
+#include "cli/progress.h"
 #include "ingest/dem.h"
 
 namespace terrview {
@@ -14,7 +15,7 @@ namespace terrview {
 struct BatchRunOptions {
   int threads = 0;  // of all views together; 0 = all the processor has
   double memory_bytes = 0;
-  bool shows_bar = false;
+  ShowBar show_bar = ShowBar::never;
 };
 
 // What making a view over these DEMs, of which there is one, takes beside what views share, as

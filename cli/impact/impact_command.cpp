@@ -29,7 +29,7 @@ namespace {
 
 std::vector<Dem> read_ground(const ImpactOptions& options) {
   DemOptions how = options.view.dem;
-  ProgressBar bar("reading", shows_bar(options.view));
+  ProgressBar bar("reading", show_bar(options.view));
   how.progress = [&](double share) {
     check_interrupt();
     bar.report(share);
@@ -60,7 +60,7 @@ ViewOptions with_all_buildings(const ImpactOptions& options) {
 std::vector<ViewpointStudy> study_viewpoints(const StudyGround& ground,
                                              const std::vector<Viewpoint>& viewpoints,
                                              ImpactFiles& files) {
-  ProgressBar bar("viewpoints", shows_bar(ground.options.view));
+  ProgressBar bar("viewpoints", show_bar(ground.options.view));
   std::vector<ViewpointStudy> studies;
   for (std::size_t i = 0; i < viewpoints.size(); ++i) {
     check_interrupt();

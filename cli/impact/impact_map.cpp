@@ -192,7 +192,7 @@ std::string north_arrow(const MapLattice& map, const Project& project, glm::dvec
 
 Zone zone_of(const StudyGround& ground) {
   const ImpactOptions& options = ground.options;
-  ProgressBar bar("zone", shows_bar(options.view));
+  ProgressBar bar("zone", show_bar(options.view));
   ZoneOptions how{.observer_m = options.eye_height_m,
                   .frame = frame_options(options.view),
                   .progress = [&](double share) {

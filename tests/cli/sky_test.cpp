@@ -144,7 +144,7 @@ TEST_F(Sky, SaysInThePictureAllThatMakesIt) {
 }
 
 TEST_F(Sky, ShowsItsProgressWhereAsked) {
-  const std::string line = "sky --projection perspective --size 2600x2000 --threads 1 --of ppm -o ";
+  const std::string line = "sky --projection perspective --size 26x20 --of ppm -o ";
   EXPECT_TRUE(
       says(run(words(line + "a.ppm --progress")).err, {"painting [#", " %", "wrote a.ppm"}));
 }
