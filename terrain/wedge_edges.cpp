@@ -122,9 +122,8 @@ WedgeEdges wedge_edges(int group, int wedges_a_side, const GroundMap& map) {
 //
 // - carried back, the edges' miss each other: all are nearer to lines from the middle between them
 //   than half of that, at both ends and between, and interpolation goes a quarter beyond the edges;
-// - the table's tracks are linear in the direction within a sector, so they leave the chords
-// between
-//   the edges most where two sectors meet, at an end of the piece;
+// - the table's tracks are linear in the direction within a sector, so they leave the chords from
+//   edge to edge most where two sectors meet, at an end of the piece;
 // - directions are of unit length, up to `bulge` times that of the chord: that is another place on
 //   the chord's track, but for what its piece, or the next one, misses the eye by.
 std::vector<double> bends_between_edges(const WedgeEdges& edges, int group, int wedges_a_side,
